@@ -1,10 +1,38 @@
 #!/usr/bin/env bash
-# Builds the C and C++ side (release) into _build/native and apps/c_bridge/priv. Incremental; CMake decides what is old.
+# Builds the C and C++ side, incrementally; CMake decides what is old.
+#
+#   scripts/build_native.sh [release|asan|tsan|fuzz|coverage] [TARGET...]
+#
+# release (default) goes into _build/native and apps/c_bridge/priv; every other kind stays in _build/cmake/KIND.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-build="$root/_build/cmake/release"
-generator=()
-command -v ninja >/dev/null 2>&1 && generator=(-G Ninja)
-[ -f "$build/CMakeCache.txt" ] || cmake -S "$root/c_src" -B "$build" "${generator[@]}" \
-  -DCMAKE_BUILD_TYPE=Release -DFC_OUTPUT_DIR="$root/_build/native" >/dev/null
-cmake --build "$build" --parallel "$(nproc)"
+kind=${1:-release}
+[ $# -gt 0 ] && shift
+build="$root/_build/cmake/$kind"
+
+command -v cmake >/dev/null 2>&1 || { echo "build_native: cmake is missing; run: make setup" >&2; exit 3; }
+
+options=(-DFC_OUTPUT_DIR="$build/out" -DFC_PRIV_DIR="$build/priv" -DFC_BUILD_BENCH=OFF)
+case "$kind" in
+  release) options=(-DCMAKE_BUILD_TYPE=Release -DFC_OUTPUT_DIR="$root/_build/native") ;;
+  asan) options+=(-DCMAKE_BUILD_TYPE=Debug "-DFC_SANITIZE=address;undefined") ;;
+  tsan) options+=(-DCMAKE_BUILD_TYPE=Debug -DFC_SANITIZE=thread) ;;
+  fuzz) options+=(-DCMAKE_BUILD_TYPE=Debug -DFC_FUZZ=ON
+    -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DBUILD_TESTING=OFF) ;;
+  coverage) options+=(-DCMAKE_BUILD_TYPE=Debug -DFC_COVERAGE=ON -DBUILD_TESTING=OFF) ;;
+  *) echo "build_native: unknown kind '$kind' (release, asan, tsan, fuzz or coverage)" >&2; exit 2 ;;
+esac
+
+if [ ! -f "$build/CMakeCache.txt" ]; then
+  generator=()
+  command -v ninja >/dev/null 2>&1 && generator=(-G Ninja)
+  mkdir -p "$build"
+  cmake -S "$root/c_src" -B "$build" "${generator[@]}" "${options[@]}" >"$build/configure.log" 2>&1 || {
+    rm -f "$build/CMakeCache.txt"
+    cat "$build/configure.log" >&2
+    exit 3
+  }
+fi
+targets=()
+[ $# -gt 0 ] && targets=(--target "$@")
+cmake --build "$build" --parallel "$(nproc)" "${targets[@]}"

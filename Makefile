@@ -1,0 +1,77 @@
+# FaultCheck: the single entry. `make` lists what there is; the work itself is done by scripts/.
+SHELL := /bin/bash
+.DEFAULT_GOAL := help
+MAKEFLAGS += --no-print-directory
+
+FUZZ_SECONDS ?= 60
+PREFIX ?= /usr/local
+export SETUP CI
+
+ifneq ($(shell uname -s)-$(shell uname -m),Linux-x86_64)
+$(error FaultCheck needs Linux on x86-64 (ELF, DWARF and libffi of that machine); this is $(shell uname -s) on $(shell uname -m))
+endif
+
+.PHONY: help setup native compile test demo bench coverage airbag-report fuzz replay install format \
+        lint clean chroot-check
+
+help:  ## this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+setup:  ## install what is missing for everything below (shows the list and asks; SETUP=no only tells)
+	@scripts/setup.sh all
+
+native:  ## build the C and C++ side (-O2 -g) into _build/native/lib and _build/native/bin
+	@scripts/setup.sh --quiet native
+	@scripts/build_native.sh
+
+compile: native  ## build everything: native, then the Erlang applications
+	@scripts/setup.sh --quiet demo
+	@rebar3 compile
+
+demo:  ## find, shrink, store and explain the airbag's unintended explosion
+	@scripts/setup.sh --quiet demo
+	@scripts/demo.sh
+
+replay:  ## run a stored case again: make replay CASE=cases/<id>
+	@scripts/setup.sh --quiet demo
+	@scripts/replay.sh "$(CASE)"
+
+test:  ## install what is missing, build, and run every test and check
+	@scripts/setup.sh --quiet test
+	@scripts/test.sh
+
+bench:  ## measure speed and memory; CHECK=1 fails when a bound is missed
+	@scripts/setup.sh --quiet demo
+	@CHECK="$(CHECK)" scripts/bench.sh
+
+coverage:  ## C line coverage of the airbag under three fault classes (lcov HTML)
+	@scripts/setup.sh --quiet coverage
+	@scripts/coverage.sh
+
+airbag-report:  ## repeat the experiments of the paper: _build/reports/airbag.md
+	@scripts/setup.sh --quiet demo
+	@scripts/airbag_report.sh
+
+fuzz:  ## run each fuzz target for FUZZ_SECONDS=60 seconds
+	@scripts/setup.sh --quiet test
+	@scripts/fuzz.sh "$(FUZZ_SECONDS)"
+
+install:  ## install libraries, applications and bin/faultcheck: make install PREFIX=/usr/local
+	@scripts/setup.sh --quiet demo
+	@scripts/install.sh "$(PREFIX)"
+
+format:  ## format C and C++ sources
+	@scripts/setup.sh --quiet test
+	@scripts/format.sh
+
+lint:  ## formatting, shellcheck, public headers as C99 and C++17, xref
+	@scripts/setup.sh --quiet test
+	@FC_RESULT=/dev/null scripts/stages/format.sh
+	@FC_RESULT=/dev/null scripts/stages/lint.sh
+
+chroot-check:  ## make demo and make test in fresh Debian 12 and 13 (needs root and debootstrap)
+	@scripts/chroot_check.sh bookworm
+	@scripts/chroot_check.sh trixie
+
+clean:  ## remove everything built; stored cases stay
+	@rm -rf _build apps/c_bridge/priv
