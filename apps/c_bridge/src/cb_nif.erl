@@ -5,14 +5,14 @@
 -module(cb_nif).
 
 -export([
-    session/0,
+    new/0,
     request/2,
     request_dirty/2,
     call/3,
     call_dirty/3,
     batch/2,
     journal_open/2,
-    journal_reset/2,
+    journal_start/2,
     journal_append/2,
     kill/2,
     setenv/2,
@@ -27,8 +27,8 @@
 -type reply() :: {ok, term()} | {error, term()}.
 
 %% @doc An empty session; `{load, File, Opts}' is the first request to make.
--spec session() -> session().
-session() -> missing().
+-spec new() -> session().
+new() -> missing().
 
 -spec request(session(), term()) -> reply().
 request(_Session, _Request) -> missing().
@@ -49,10 +49,10 @@ batch(_Session, _Calls) -> missing().
 -spec journal_open(unicode:chardata(), pos_integer()) -> {ok, journal()} | {error, term()}.
 journal_open(_File, _Bytes) -> missing().
 
--spec journal_reset(journal(), binary()) -> ok | {error, full}.
-journal_reset(_Journal, _Record) -> missing().
+-spec journal_start(journal(), iodata()) -> ok | {error, full}.
+journal_start(_Journal, _Record) -> missing().
 
--spec journal_append(journal(), binary()) -> ok | {error, full}.
+-spec journal_append(journal(), iodata()) -> ok | {error, full}.
 journal_append(_Journal, _Record) -> missing().
 
 -spec kill(pos_integer(), non_neg_integer()) -> ok | {error, atom()}.
