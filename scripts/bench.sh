@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs every benchmark, writes _build/reports/bench.json and prints the table with the bounds of bench/bounds.
-# Exit status 0, also when bounds are missed; with CHECK=1 a miss is exit status 1. What a benchmark is: bench/README.md.
+# Exit status 0, also when bounds are missed; with CHECK=1 a miss is exit status 1. See bench/README.md.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD

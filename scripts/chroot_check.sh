@@ -19,7 +19,7 @@ case "$suite" in bookworm | trixie) ;; *) usage ;; esac
 case "$what" in demo | test | all) ;; *) usage ;; esac
 case "$who" in user | root | both) ;; *) usage ;; esac
 [ "$(id -u)" = 0 ] || { echo "chroot_check: must be run as root" >&2; exit 2; }
-command -v debootstrap >/dev/null || { echo "chroot_check: debootstrap is missing (apt-get install debootstrap)" >&2; exit 2; }
+command -v debootstrap >/dev/null || { echo "chroot_check: debootstrap is missing; install it" >&2; exit 2; }
 
 store=${FAULTCHECK_CHROOTS:-${TMPDIR:-/var/tmp}/faultcheck-chroot}
 base="$store/$suite-base"
@@ -89,7 +89,7 @@ echo "== $suite: $(git -C "$root" log -1 --format='%h %s')"
 clone_for plain
 mv "$top/usr/bin/sudo" "$top/usr/bin/sudo.away"
 step "user without sudo is told what to run" 10 plain \
-  'cd faultcheck && status=0; out=$(make demo 2>&1) || status=$?; echo "$out"; [ $status = 2 ] && grep -q "apt-get install" <<<"$out"'
+  'cd faultcheck; out=$(make demo 2>&1); status=$?; echo "$out"; [ $status = 2 ] && grep -q "apt-get install" <<<"$out"'
 mv "$top/usr/bin/sudo.away" "$top/usr/bin/sudo"
 
 for user in tester root; do

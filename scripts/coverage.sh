@@ -28,8 +28,8 @@ report() { # report CLASS: counters of the last run -> HTML
   local info="$reports/$1.info"
   lcov -q "${tolerant[@]}" --rc lcov_branch_coverage=1 --capture --directory "$build" --base-directory "$root/c_src" \
     --output-file "$info.all"
-  lcov -q "${tolerant[@]}" --rc lcov_branch_coverage=1 --extract "$info.all" "$root/c_src/airbag/src/*" "$root/c_src/e2e/src/*" \
-    --output-file "$info"
+  lcov -q "${tolerant[@]}" --rc lcov_branch_coverage=1 --extract "$info.all" "$root/c_src/airbag/src/*" \
+    "$root/c_src/e2e/src/*" --output-file "$info"
   rm "$info.all"
   genhtml -q "${tolerant[@]}" --branch-coverage --legend --title "airbag, $1" --prefix "$root/c_src" \
     --output-directory "$reports/$1" "$info"

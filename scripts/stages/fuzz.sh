@@ -14,7 +14,7 @@ for target in _build/cmake/fuzz/out/bin/fuzz_*; do
   corpus="_build/fuzz/$name"
   mkdir -p "$corpus"
   seeds=(c_src/*/fuzz/corpus/"${name#fuzz_}" c_src/*/*/fuzz/corpus/"${name#fuzz_}")
-  check "$name for $seconds s" "$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
+  check "$name for $seconds s" "$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 \
     -artifact_prefix="_build/fuzz/$name-" "$corpus" "${seeds[@]}"
 done
 finish
