@@ -1,0 +1,181 @@
+%% @doc What a grouped stateful model exports, and how its callbacks are found.
+%%
+%% A command X of a model is a block of functions:
+%%
+%%   X_pre(State) -> boolean()                may X be chosen now?           optional
+%%   X_args(State) -> [proper_types:type()]   its arguments                  required
+%%   X_pre(State, Args) -> boolean()          are these arguments valid?     optional
+%%   X(Arg1, ..., ArgN) -> Result             run it                         required
+%%   X_next(State, Result, Args) -> State     what it does to the model      optional
+%%   X_post(State, Args, Result) -> boolean() what the answer must be        optional
+%%   X_req(State, Args, Result) -> [term()]   requirement tags it exercised  optional
+%%
+%% and the model as a whole has
+%%
+%%   initial_state() -> State                                                required
+%%   weight(State, X) -> non_neg_integer()    how often X is chosen, 0 never optional
+%%   faults() -> [X]                          commands that inject faults    optional
+%%
+%% X_next also runs while commands are generated; the result is then a symbolic
+%% variable {var,N}, so it must not look inside it.
+-module(faultcheck_model).
+
+-export([info/1, commands/1, enabled/2, args/3, allowed/4, next/5, post/5, requirements/5, faults/1]).
+-export([command/2, precondition/3, next_state/4, postcondition/4]).
+-export_type([info/0, state/0, command_name/0]).
+
+-type state() :: term().
+-type command_name() :: atom().
+
+%% Names of the optional callbacks, or none: looked up once, not on each call.
+-record(command, {name :: command_name(),
+                  args :: atom(),
+                  pre1 = none :: atom(),
+                  pre2 = none :: atom(),
+                  next = none :: atom(),
+                  post = none :: atom(),
+                  req = none :: atom()}).
+-record(info, {commands :: #{command_name() => #command{}},
+               list :: [#command{}],
+               weighted :: boolean(),
+               faults :: [command_name()]}).
+-opaque info() :: #info{}.
+
+%% @doc The callbacks of a model. Cached until another version of it is loaded.
+-spec info(module()) -> info().
+info(Mod) ->
+    Version = Mod:module_info(md5),
+    case persistent_term:get({?MODULE, Mod}, none) of
+        {Version, Info} ->
+            Info;
+        _ ->
+            Info = read(Mod),
+            persistent_term:put({?MODULE, Mod}, {Version, Info}),
+            Info
+    end.
+
+%% @doc The command names of a model, in alphabetical order.
+-spec commands(info()) -> [command_name()].
+commands(#info{list = Commands}) ->
+    [C#command.name || C <- Commands].
+
+%% @doc Commands that a model declares as faults.
+-spec faults(info()) -> [command_name()].
+faults(#info{faults = Faults}) ->
+    Faults.
+
+%% @doc Commands that may be chosen in a state, with their weights (all above 0).
+-spec enabled({module(), info()}, state()) -> [{pos_integer(), command_name()}].
+enabled({Mod, #info{list = Commands, weighted = Weighted}}, State) ->
+    [{Weight, Name} || #command{name = Name, pre1 = Pre} <- Commands,
+                       Pre =:= none orelse Mod:Pre(State),
+                       Weight <- [weight(Weighted, Mod, State, Name)],
+                       Weight > 0].
+
+weight(false, _Mod, _State, _Name) -> 1;
+weight(true, Mod, State, Name) -> Mod:weight(State, Name).
+
+%% @doc The argument types of a command in a state.
+-spec args({module(), info()}, state(), command_name()) -> proper_types:raw_type().
+args({Mod, Info}, State, Name) ->
+    #command{args = Args} = command_of(Mod, Info, Name),
+    Mod:Args(State).
+
+%% @doc Both preconditions of a command.
+-spec allowed({module(), info()}, state(), command_name(), [term()]) -> boolean().
+allowed({Mod, Info}, State, Name, Args) ->
+    #command{pre1 = Pre1, pre2 = Pre2} = command_of(Mod, Info, Name),
+    (Pre1 =:= none orelse Mod:Pre1(State)) andalso (Pre2 =:= none orelse Mod:Pre2(State, Args)).
+
+%% @doc The model's state after a command.
+-spec next({module(), info()}, state(), command_name(), [term()], Result :: term()) -> state().
+next({Mod, Info}, State, Name, Args, Result) ->
+    case command_of(Mod, Info, Name) of
+        #command{next = none} -> State;
+        #command{next = Next} -> Mod:Next(State, Result, Args)
+    end.
+
+%% @doc The postcondition of a command, in the state before it; true when it has none.
+-spec post({module(), info()}, state(), command_name(), [term()], Result :: term()) -> term().
+post({Mod, Info}, State, Name, Args, Result) ->
+    case command_of(Mod, Info, Name) of
+        #command{post = none} -> true;
+        #command{post = Post} -> Mod:Post(State, Args, Result)
+    end.
+
+%% @doc The requirement tags a command exercised.
+-spec requirements({module(), info()}, state(), command_name(), [term()], Result :: term()) ->
+          [term()].
+requirements({Mod, Info}, State, Name, Args, Result) ->
+    case command_of(Mod, Info, Name) of
+        #command{req = none} -> [];
+        #command{req = Req} -> Mod:Req(State, Args, Result)
+    end.
+
+%% The plain callbacks of proper_statem, which the parse transform delegates to here.
+
+%% @private
+-spec command(module(), state()) -> proper_types:type().
+command(Mod, State) ->
+    Model = {Mod, info(Mod)},
+    Choices = [{Weight, {call, Mod, Name, args(Model, State, Name)}}
+               || {Weight, Name} <- enabled(Model, State)],
+    proper_types:frequency(Choices).
+
+%% @private
+-spec precondition(module(), state(), {call, module(), command_name(), [term()]}) -> boolean().
+precondition(Mod, State, {call, _, Name, Args}) ->
+    allowed({Mod, info(Mod)}, State, Name, Args).
+
+%% @private
+-spec next_state(module(), state(), term(), {call, module(), command_name(), [term()]}) -> state().
+next_state(Mod, State, Result, {call, _, Name, Args}) ->
+    next({Mod, info(Mod)}, State, Name, Args, Result).
+
+%% @private
+-spec postcondition(module(), state(), {call, module(), command_name(), [term()]}, term()) ->
+          boolean().
+postcondition(Mod, State, {call, _, Name, Args}, Result) ->
+    post({Mod, info(Mod)}, State, Name, Args, Result) =:= true.
+
+command_of(Mod, #info{commands = Commands}, Name) ->
+    case Commands of
+        #{Name := Command} -> Command;
+        #{} -> error({unknown_command, Mod, Name, maps:keys(Commands)})
+    end.
+
+read(Mod) ->
+    Exports = maps:from_list([{Export, true} || Export <- Mod:module_info(exports)]),
+    Names = lists:sort([Name || {F, 1} <- maps:keys(Exports),
+                                {ok, Name} <- [without_suffix(F, "_args")]]),
+    Commands = [read_command(Name, Exports) || Name <- Names],
+    #info{commands = maps:from_list([{C#command.name, C} || C <- Commands]),
+          list = Commands,
+          weighted = is_map_key({weight, 2}, Exports),
+          faults = case is_map_key({faults, 0}, Exports) of
+                       true -> Mod:faults();
+                       false -> []
+                   end}.
+
+without_suffix(Function, Suffix) ->
+    Name = atom_to_list(Function),
+    case lists:suffix(Suffix, Name) andalso length(Name) > length(Suffix) of
+        true -> {ok, list_to_atom(lists:sublist(Name, length(Name) - length(Suffix)))};
+        false -> none
+    end.
+
+read_command(Name, Exports) ->
+    Callback = fun(Suffix, Arity) ->
+                       Function = list_to_atom(atom_to_list(Name) ++ Suffix),
+                       case is_map_key({Function, Arity}, Exports) of
+                           true -> Function;
+                           false -> none
+                       end
+               end,
+    #command{name = Name,
+             args = Callback("_args", 1),
+             pre1 = Callback("_pre", 1),
+             pre2 = Callback("_pre", 2),
+             next = Callback("_next", 3),
+             post = Callback("_post", 3),
+             req = Callback("_req", 3)}.
