@@ -118,16 +118,16 @@ number_state(_) ->
 
 steps_left(Last, Step, OverLimit) ->
     Over = fun(K) -> OverLimit(Last + K * Step) end,
-    steps_left(0, first_over(1, Over), Over).
+    largest_within(0, first_over(1, Over), Over).
 
 %% Low is within the limit, High is over it.
-steps_left(Low, High, _Over) when High - Low =:= 1 ->
+largest_within(Low, High, _Over) when High - Low =:= 1 ->
     Low;
-steps_left(Low, High, Over) ->
+largest_within(Low, High, Over) ->
     Middle = (Low + High) div 2,
     case Over(Middle) of
-        true -> steps_left(Low, Middle, Over);
-        false -> steps_left(Middle, High, Over)
+        true -> largest_within(Low, Middle, Over);
+        false -> largest_within(Middle, High, Over)
     end.
 
 first_over(K, Over) ->

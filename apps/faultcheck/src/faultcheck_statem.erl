@@ -182,53 +182,41 @@ count(Commands, #run{model = {_, Info}, history = History, tags = Tags}) ->
 %% @doc A run in words: a line for each command, `mod:command(args) -> result', the one that
 %% failed marked with the reason.
 -spec pretty(module(), [command()], run()) -> iolist().
-pretty(Mod, Commands, {History, State, Result}) ->
+pretty(_Mod, Commands, {History, _State, Result}) ->
     Used = used_variables(Commands),
-    [lines(Commands, History, Result, Used),
-     verdict_at_end(length(Commands), length(History), Result),
-     case erlang:function_exported(Mod, format_state, 1) of
-         true -> ["  state: ", Mod:format_state(State), $\n];
-         false -> []
-     end].
+    Failed = failed_at(length(History), Result),
+    Values = [{value, Value} || {_, Value} <- History],
+    Numbered = lists:zip3(lists:seq(1, length(Commands)), Commands,
+                          Values ++ lists:duplicate(length(Commands) - length(Values), none)),
+    [line(N, Failed, Command, Value, Result, Used) || {N, Command, Value} <- Numbered].
 
-lines([], _History, _Result, _Used) ->
-    [];
-lines([Command], [{_, Value}], Result, Used) ->
-    [last_line(Command, Value, Result, Used)];
-lines([Command | [_ | _] = Rest], [{_, Value}], Result, Used) when Result =:= ok;
-                                                                  element(1, Result) =:= precondition ->
-    [line("  ", Command, Used), " -> ", term(Value), $\n | lines(Rest, [], Result, Used)];
-lines([Command | Rest], [{_, Value}], Result, Used) ->
-    [last_line(Command, Value, Result, Used) | not_run(Rest, Used)];
-lines([Command | Rest], [{_, Value} | History], Result, Used) ->
-    [line("  ", Command, Used), " -> ", term(Value), $\n | lines(Rest, History, Result, Used)];
-lines([Command | Rest], [], {precondition, Why}, Used) ->
-    [line("! ", Command, Used), $\n, why({precondition, Why}) | not_run(Rest, Used)].
+%% The number of the command that failed; a precondition stops a run before its command.
+failed_at(_Done, ok) -> none;
+failed_at(Done, {precondition, _}) -> Done + 1;
+failed_at(Done, _) -> Done.
 
-last_line(Command, Value, ok, Used) ->
-    [line("  ", Command, Used), " -> ", term(Value), $\n];
-last_line(Command, _Value, {exception, _, _, _} = Exception, Used) ->
-    [line("! ", Command, Used), $\n, why(Exception)];
-last_line(Command, Value, Result, Used) ->
-    [line("! ", Command, Used), " -> ", term(Value), $\n, why(Result)].
+line(N, Failed, Command, _Value, _Result, Used) when N > Failed ->
+    ["  ", call(Command, Used), "   (not run)\n"];
+line(N, N, Command, {value, {exception, _, _, _}}, Result, Used) ->
+    ["! ", call(Command, Used), $\n, why(Result)];
+line(N, N, Command, {value, Value}, Result, Used) ->
+    ["! ", call(Command, Used), " -> ", term(Value), $\n, why(Result)];
+line(N, N, Command, none, Result, Used) ->
+    ["! ", call(Command, Used), $\n, why(Result)];
+line(_N, _Failed, Command, {value, Value}, _Result, Used) ->
+    ["  ", call(Command, Used), " -> ", term(Value), $\n].
 
-not_run([], _Used) -> [];
-not_run(Rest, Used) -> [[line("  ", C, Used), "   (not run)\n"] || C <- Rest].
-
-verdict_at_end(_, _, ok) -> "  all commands passed\n";
-verdict_at_end(_, _, _) -> [].
-
-line(Mark, {set, {var, N}, {call, Mod, Name, Args}}, Used) ->
-    [Mark,
-     case lists:member(N, Used) of
-         true -> io_lib:format("V~p = ", [N]);
+call({set, {var, N}, {call, Mod, Name, Args}}, Used) ->
+    [case lists:member(N, Used) of
+         true -> io_lib:format("V~b = ", [N]);
          false -> []
      end,
      io_lib:format("~tw:~tw(", [Mod, Name]), lists:join(", ", [term(A) || A <- Args]), ")"].
 
 why({precondition, false}) -> "    precondition false\n";
 why({precondition, Exception}) -> ["    in the precondition: " | cause(Exception)];
-why({postcondition, {exception, _, _, _} = Exception}) -> ["    in the postcondition: " | cause(Exception)];
+why({postcondition, {exception, _, _, _} = Exception}) ->
+    ["    in the postcondition: " | cause(Exception)];
 why({postcondition, false}) -> "    postcondition false\n";
 why({postcondition, Other}) -> ["    postcondition: ", term(Other), $\n];
 why({next_state, Exception}) -> ["    in the next state: " | cause(Exception)];
