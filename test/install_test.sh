@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# Installs into a prefix, moves it, and uses it as an ordinary user in a folder outside the clone: a new project, its
+# first found fault, replay; the C libraries through CMake and pkg-config.
+set -uo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+here=$(mktemp -d "${TMPDIR:-/tmp}/faultcheck-install-XXXXXX")
+trap 'rm -rf "$here"' EXIT
+
+failures=0
+check() { # check TEXT COMMAND...: prints "ok TEXT" or "not ok TEXT" with the output
+  local text=$1 output
+  shift
+  if output=$("$@" 2>&1); then
+    echo "ok $text"
+  else
+    echo "not ok $text"
+    sed 's/^/    /' <<<"$output"
+    failures=$((failures + 1))
+  fi
+}
+
+# user COMMAND: as an ordinary user, knowing the installed tree and nothing of the clone
+user() {
+  local drop=()
+  [ "$(id -u)" != 0 ] || drop=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+  (cd "$here/home" && "${drop[@]}" env -i HOME="$here/home" PATH="$here/moved/bin:/usr/local/bin:/usr/bin:/bin" \
+    LANG=C.UTF-8 TMPDIR="$here/home" bash -c "$1")
+}
+exits() { # exits STATUS PATTERN COMMAND: exit status and a line of the output that must match
+  local output status=0
+  output=$(user "$3") || status=$?
+  [ "$status" = "$1" ] && grep -qE -- "$2" <<<"$output" && return 0
+  printf 'exit status %s, expected %s and a line matching "%s":\n%s\n' "$status" "$1" "$2" "$output"
+  return 1
+}
+names_nowhere() { ! grep -rlF -- "$1" "$here/moved"; }
+
+mkdir "$here/home"
+check "make install succeeds" "$root/scripts/install.sh" "$here/prefix"
+mv "$here/prefix" "$here/moved"
+check "no installed file names the prefix" names_nowhere "$here/prefix"
+chmod -R a+rX "$here"
+chmod a+rwx "$here/home"
+
+check "the version is that of VERSION" exits 0 "$(cat "$root/VERSION")" 'faultcheck --version'
+check "faultcheck new makes a project" exits 0 'mine' 'faultcheck new mine'
+check "a project is not overwritten" exits 2 'mine' 'faultcheck new mine'
+check "its model has at most 20 lines" exits 0 '' \
+  '[ $(grep -hvE "^ *(%|$)" mine/test/prop_*.erl | wc -l) -le 20 ]'
+check "the bug in its C file is found" exits 1 'prop_' 'cd mine && faultcheck proper'
+check "the failure is stored as a case" exits 0 'case.json' 'ls mine/cases/*/case.json'
+check "the stored case fails again" exits 1 '' 'cd mine && faultcheck replay cases/*'
+check "rebar3 proper finds it too" exits 1 'prop_' \
+  'cd mine && ERL_LIBS='"$here"'/moved/lib/faultcheck rebar3 proper'
+check "an unknown command is one line" exits 2 'nonsense' 'faultcheck nonsense'
+
+mkdir "$here/home/c"
+cat >"$here/home/c/probe.c" <<'C'
+#include <E2E_P01.h>
+#include <faultcheck_wrapper.h>
+#include <stdio.h>
+int main(void) {
+    int value = 7;
+    faultcheck_addFaultOffset("speed", 3);
+    faultcheck_injectFaultInt("speed", &value);
+    printf("%d\n", value);
+    return value == 10 ? 0 : 1;
+}
+C
+cat >"$here/home/c/CMakeLists.txt" <<'C'
+cmake_minimum_required(VERSION 3.25)
+project(probe C)
+find_package(faultcheck REQUIRED)
+find_package(e2e REQUIRED)
+add_executable(probe probe.c)
+target_link_libraries(probe PRIVATE faultcheck::faultcheck e2e::e2e)
+C
+check "a C program finds both libraries with CMake" exits 0 '^10$' \
+  'cmake -S c -B c/build -DCMAKE_PREFIX_PATH='"$here"'/moved >/dev/null && cmake --build c/build >/dev/null && c/build/probe'
+check "and with pkg-config" exits 0 '^10$' \
+  'export PKG_CONFIG_PATH='"$here"'/moved/lib/pkgconfig LD_LIBRARY_PATH='"$here"'/moved/lib
+   gcc c/probe.c $(pkg-config --cflags --libs faultcheck e2e) -o c/probe && c/probe'
+[ $failures -eq 0 ]
