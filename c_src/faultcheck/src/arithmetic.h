@@ -1,0 +1,52 @@
+// The numeric models on one value: OFFSET, AMPLIFICATION and SET_TO.
+//
+// Computed in double, one operation per fault, then converted. 64-bit integers with an integral
+// parameter are computed exactly instead.
+#pragma once
+
+#include "model.h"
+#include "value.h"
+
+namespace fc {
+
+inline double compute(const Model &model, double x) {
+    switch (model.kind) {
+    case ModelKind::offset:
+        return x + model.value;
+    case ModelKind::amplification:
+        return x * model.value;
+    default:
+        return model.value;
+    }
+}
+
+// |whole| below 2^63, so sums and products with a 64-bit value fit 128 bits.
+inline bool is_exact_operand(double value) {
+    return value > -0x1p63 && value < 0x1p63 &&
+           value == static_cast<double>(static_cast<std::int64_t>(value));
+}
+
+inline Int128 compute_exact(const Model &model, Int128 x) {
+    const Int128 operand = static_cast<std::int64_t>(model.value);
+    switch (model.kind) {
+    case ModelKind::offset:
+        return x + operand;
+    case ModelKind::amplification:
+        return x * operand;
+    default:
+        return operand;
+    }
+}
+
+// FC_OK, or FC_E_VALUE with the value left as it was.
+template <class T> int apply_arithmetic(const Model &model, T *value) {
+    if constexpr (std::is_integral_v<T> && sizeof(T) == 8) {
+        if (is_exact_operand(model.value)) {
+            *value = saturate<T>(compute_exact(model, static_cast<Int128>(*value)));
+            return FC_OK;
+        }
+    }
+    return store_result(compute(model, static_cast<double>(*value)), value) ? FC_OK : FC_E_VALUE;
+}
+
+} // namespace fc

@@ -1,0 +1,40 @@
+// Adding, finding, changing and removing faults.
+#pragma once
+
+#include "context.h"
+
+namespace fc {
+
+// A fault id, or refusal with the text why; refusal FC_OK adds.
+fc_fault_id add_probe_fault(fc_context &context, const char *id, const Model &model, int refusal,
+                            const char *why);
+fc_fault_id add_channel_fault(fc_context &context, const char *channel, const ChannelModel &model,
+                              std::uint64_t budget, int refusal, const char *why);
+
+// Parameter checks that several entry points share.
+fc_fault_id add_bitflip(fc_context &context, const char *id, std::int64_t bit, std::int64_t most);
+
+enum class Space { probes, channels };
+
+// The fault added last, or FC_E_NO_FAULT (reported).
+fc_fault_id latest_fault(fc_context &context, Space space, const char *id);
+
+// Changes of a trigger: what they do to the state for one receiver.
+struct TriggerChange {
+    enum Kind { after, once_after, duration } kind;
+    std::uint64_t calls;
+    std::int64_t limit;
+
+    void apply(FaultRun &run) const;
+};
+
+int change_trigger(fc_context &context, fc_fault_id fault, const TriggerChange &change);
+int change_latest_trigger(fc_context &context, Space space, const char *id,
+                          const TriggerChange &change);
+
+void remove_probe_faults(fc_context &context, const char *id);
+void remove_all_probe_faults(fc_context &context);
+void remove_channel_faults(fc_context &context, const char *channel);
+void remove_all_channel_faults(fc_context &context);
+
+} // namespace fc

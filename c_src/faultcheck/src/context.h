@@ -1,0 +1,79 @@
+// A context: everything that faults, probes and channels share.
+#pragma once
+
+#include "channel.h"
+#include "name_table.h"
+#include "probe.h"
+
+#include <mutex>
+#include <unordered_map>
+
+namespace fc {
+
+struct ErrorCallback {
+    fc_error_fn call;
+    void *user;
+};
+
+// Where a fault id leads.
+struct FaultPlace {
+    Probe *probe;
+    Channel *channel;
+};
+
+} // namespace fc
+
+// Lock order: arming, then a probe's lock or the traffic lock. No callback runs under any of them.
+struct fc_context {
+    explicit fc_context(const fc_options &options);
+
+    fc::NameTable<fc::Probe> probes;
+    fc::NameTable<fc::Channel> channels;
+    std::atomic<std::uint64_t> error_count{0};
+
+    // Everything that arms, disarms or lists. Guards the tables' writers and the members below it.
+    std::mutex arming;
+    std::unordered_map<fc_fault_id, fc::FaultPlace> faults;
+    fc_fault_id next_fault = 1;
+    std::uint64_t seed;
+    const std::uint64_t first_seed;
+
+    // All channels' queues and faults.
+    fc::SpinLock traffic;
+
+    fc::ErrorCallback error_callback() const;
+    void set_error_callback(fc::ErrorCallback callback);
+
+    // Under the arming lock.
+    fc::Probe &probe(const fc::Name &name);
+    fc::Channel &channel(const fc::Name &name);
+    void reset();
+    void reseed(std::uint64_t new_seed);
+
+  private:
+    mutable fc::SpinLock callback_lock_;
+    fc::ErrorCallback on_error_;
+};
+
+namespace fc {
+
+extern std::atomic<fc_context *> default_context;
+
+inline fc_context &context_of(fc_context *ctx) {
+    if (ctx != nullptr)
+        return *ctx;
+    ctx = default_context.load(std::memory_order_acquire);
+    return ctx != nullptr ? *ctx : *fc_default();
+}
+
+// Runs work and turns an exhausted memory into FC_E_NOMEM. work holds no lock when it throws out of
+// here.
+template <class Work> auto guarded(fc_context &context, Work work) -> decltype(work()) {
+    try {
+        return work();
+    } catch (const std::bad_alloc &) {
+        return report(context, FC_E_NOMEM, "out of memory, the call had no effect");
+    }
+}
+
+} // namespace fc

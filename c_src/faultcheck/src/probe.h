@@ -1,0 +1,61 @@
+// The record of one probe identifier.
+#pragma once
+
+#include "fault.h"
+#include "name.h"
+#include "spin_lock.h"
+#include "value.h"
+
+#include <atomic>
+#include <vector>
+
+namespace fc {
+
+// A record of its own cache lines: arming one identifier does not slow the idle probes of another.
+struct alignas(64) Probe {
+    explicit Probe(const Name &identifier) : name(identifier) {
+        set_states(kUnseen);
+    }
+
+    // Why a probe call of a type cannot return at once; 0 for an idle one.
+    enum State : std::uint8_t {
+        kUnseen = 1, // not yet probed as this type since fc_new or fc_reset
+        kArmed = 2,
+    };
+    std::atomic<std::uint8_t> state[kTypeCount];
+
+    StoredName name;
+
+    SpinLock lock;
+    std::vector<ProbeFault> faults; // in the order of adding
+    std::uint64_t calls = 0;        // while armed
+
+    // Under the context's arming lock.
+    bool listed = false; // seen or armed since fc_new or fc_reset
+    bool latest_refused = false;
+    std::uint64_t next_ordinal = 0;
+
+    // Under lock and the arming lock.
+    void reset() {
+        faults.clear();
+        set_states(kUnseen);
+        calls = 0;
+        listed = latest_refused = false;
+        next_ordinal = 0;
+    }
+
+    void set_states(std::uint8_t value) {
+        for (auto &of_type : state)
+            of_type.store(value, std::memory_order_relaxed);
+    }
+    void set_flag(State flag) {
+        for (auto &of_type : state)
+            of_type.fetch_or(flag, std::memory_order_relaxed);
+    }
+    void clear_flag(State flag) {
+        for (auto &of_type : state)
+            of_type.fetch_and(static_cast<std::uint8_t>(~flag), std::memory_order_relaxed);
+    }
+};
+
+} // namespace fc

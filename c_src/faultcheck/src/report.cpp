@@ -1,0 +1,122 @@
+#include "report.h"
+
+#include "context.h"
+
+#include <cstdarg>
+#include <cstdio>
+
+namespace fc {
+
+namespace {
+
+// Plain data: a thread-local with a destructor would keep the library from being unloaded.
+struct LastError {
+    int code;
+    char text[304];
+};
+thread_local LastError last_error = {FC_OK, ""};
+
+void print_line(const fc_error *error) {
+    if (error->first)
+        std::fprintf(stderr, "faultcheck: %s (%s)\n", error->text, fc_error_name(error->code));
+}
+
+void deliver(fc_context &context, const fc_error &error) {
+    last_error.code = error.code;
+    std::snprintf(last_error.text, sizeof last_error.text, "%s", error.text);
+    context.error_count.fetch_add(1, std::memory_order_relaxed);
+    const ErrorCallback callback = context.error_callback();
+    if (callback.call != nullptr)
+        callback.call(callback.user, &error);
+    else
+        print_line(&error);
+}
+
+} // namespace
+
+void Reports::add(int code, fc_fault_id fault, bool first, std::string text) {
+    reports_.push_back({code, fault, first, std::move(text)});
+}
+
+void Reports::deliver(fc_context &context) const {
+    for (const Report &entry : reports_)
+        fc::deliver(context, {entry.code, entry.fault, entry.first, entry.text.c_str()});
+}
+
+int report(fc_context &context, int code, const char *text) {
+    deliver(context, {code, 0, 1, text});
+    return code;
+}
+
+std::string quoted(const std::string &identifier) {
+    constexpr std::size_t kMost = 60;
+    std::string text = "\"";
+    for (std::size_t at = 0; at < identifier.size() && at < kMost; ++at) {
+        const auto byte = static_cast<unsigned char>(identifier[at]);
+        if (byte < 0x20 || byte == 0x7f)
+            text += format("\\x%02x", byte);
+        else if (byte == '"' || byte == '\\')
+            (text += '\\') += identifier[at];
+        else
+            text += identifier[at];
+    }
+    return text + (identifier.size() > kMost ? "...\"" : "\"");
+}
+
+std::string quoted(const char *identifier) {
+    return quoted(std::string(identifier == nullptr ? "" : identifier));
+}
+
+std::string format(const char *pattern, ...) {
+    char line[300];
+    va_list arguments;
+    va_start(arguments, pattern);
+    std::vsnprintf(line, sizeof line, pattern, arguments);
+    va_end(arguments);
+    return line;
+}
+
+} // namespace fc
+
+extern "C" {
+
+int fc_last_error(void) {
+    return fc::last_error.code;
+}
+
+const char *fc_last_error_text(void) {
+    return fc::last_error.text;
+}
+
+void fc_clear_last_error(void) {
+    fc::last_error = {FC_OK, ""};
+}
+
+const char *fc_error_name(int code) {
+    switch (code) {
+    case FC_OK:
+        return "FC_OK";
+    case FC_E_ARG:
+        return "FC_E_ARG";
+    case FC_E_NOMEM:
+        return "FC_E_NOMEM";
+    case FC_E_BIT:
+        return "FC_E_BIT";
+    case FC_E_INDEX:
+        return "FC_E_INDEX";
+    case FC_E_VALUE:
+        return "FC_E_VALUE";
+    case FC_E_TYPE:
+        return "FC_E_TYPE";
+    case FC_E_NO_FAULT:
+        return "FC_E_NO_FAULT";
+    case FC_E_SPACE:
+        return "FC_E_SPACE";
+    case FC_E_RECEIVER:
+        return "FC_E_RECEIVER";
+    default:
+        return "FC_E_UNKNOWN";
+    }
+}
+
+} // extern "C"
