@@ -14,13 +14,21 @@ trap 'rm -f "$lines"' EXIT
 # The highest core: the lowest ones serve most interrupts.
 core=$(($(nproc) - 1))
 
-for program in _build/native/bin/*_bench bench/*_bench.escript; do
+fail() { echo "bench: $1 failed" >&2; exit 3; }
+
+for program in _build/native/bin/*_bench; do
   [ -x "$program" ] || continue
   echo "running $(basename "$program")" >&2
-  case "$program" in
-    *.escript) ERL_LIBS="$root/_build/default/lib" escript "$program" >>"$lines" ;;
-    *) taskset -c "$core" "$program" >>"$lines" ;;
-  esac || { echo "bench: $program failed" >&2; exit 3; }
+  taskset -c "$core" "$program" >>"$lines" || fail "$program"
+done
+
+export FC_ROOT="$root" ERL_LIBS="$root/_build/default/lib"
+mkdir -p _build/bench
+erlc -o _build/bench bench/*.erl
+for source in bench/*_bench.erl; do
+  module=$(basename "$source" .erl)
+  echo "running $module" >&2
+  taskset -c "$core" erl +S 1:1 -noinput -pa _build/bench -s "$module" main >>"$lines" || fail "$module"
 done
 
 processor=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -1)
