@@ -155,25 +155,5 @@ Std_ReturnType E2E_P01Check(const E2E_P01ConfigType *Config, E2E_P01CheckStateTy
 
 E2E_PCheckStatusType E2E_P01MapStatusToSM(Std_ReturnType CheckReturn, E2E_P01CheckStatusType Status,
                                           boolean profileBehavior) {
-    if (CheckReturn != E2E_E_OK) {
-        return E2E_P_ERROR;
-    }
-    switch (Status) {
-    case E2E_P01STATUS_OK:
-    case E2E_P01STATUS_OKSOMELOST:
-        return E2E_P_OK;
-    case E2E_P01STATUS_SYNC:
-        return profileBehavior ? E2E_P_OK : E2E_P_WRONGSEQUENCE;
-    case E2E_P01STATUS_INITIAL:
-        return profileBehavior ? E2E_P_WRONGSEQUENCE : E2E_P_OK;
-    case E2E_P01STATUS_NONEWDATA:
-        return E2E_P_NONEWDATA;
-    case E2E_P01STATUS_REPEATED:
-        return E2E_P_REPEATED;
-    case E2E_P01STATUS_WRONGSEQUENCE:
-        return E2E_P_WRONGSEQUENCE;
-    case E2E_P01STATUS_WRONGCRC:
-        break;
-    }
-    return E2E_P_ERROR;
+    return P01_ToSM(CheckReturn, Status, profileBehavior);
 }

@@ -72,4 +72,29 @@ static inline E2E_P01CheckStatusType P01_Sequence(const Limits *limits, Progress
                                  : P01_OutOfSequence(limits, p, received);
 }
 
+static inline E2E_PCheckStatusType
+P01_ToSM(Std_ReturnType check_return, E2E_P01CheckStatusType status, boolean as_later_profiles) {
+    if (check_return != E2E_E_OK) {
+        return E2E_P_ERROR;
+    }
+    switch (status) {
+    case E2E_P01STATUS_OK:
+    case E2E_P01STATUS_OKSOMELOST:
+        return E2E_P_OK;
+    case E2E_P01STATUS_SYNC:
+        return as_later_profiles ? E2E_P_OK : E2E_P_WRONGSEQUENCE;
+    case E2E_P01STATUS_INITIAL:
+        return as_later_profiles ? E2E_P_WRONGSEQUENCE : E2E_P_OK;
+    case E2E_P01STATUS_NONEWDATA:
+        return E2E_P_NONEWDATA;
+    case E2E_P01STATUS_REPEATED:
+        return E2E_P_REPEATED;
+    case E2E_P01STATUS_WRONGSEQUENCE:
+        return E2E_P_WRONGSEQUENCE;
+    case E2E_P01STATUS_WRONGCRC:
+        break;
+    }
+    return E2E_P_ERROR;
+}
+
 #endif

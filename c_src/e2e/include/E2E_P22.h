@@ -1,0 +1,73 @@
+/* E2E_P22.h: profile 22. 2-byte header: CRC8H2F, 4-bit counter in the low nibble; fixed length;
+ * a Data ID for each counter value. */
+#ifndef E2E_P22_H
+#define E2E_P22_H
+
+#include "E2E.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    uint16 DataLength;     /* bits, multiple of 8 */
+    uint8 DataIDList[16];  /* the Data ID that goes with each counter value */
+    uint8 MaxDeltaCounter; /* largest accepted step of the counter, 1..15 */
+    uint16 Offset;         /* of the header, bits, multiple of 8 */
+} E2E_P22ConfigType;
+
+typedef struct {
+    uint8 Counter; /* Counter of the packet sent last, 0..15; the next one carries one more */
+} E2E_P22ProtectStateType;
+
+typedef enum {
+    E2E_P22STATUS_OK = 0x00,
+    E2E_P22STATUS_NONEWDATA = 0x01,
+    E2E_P22STATUS_ERROR = 0x07,
+    E2E_P22STATUS_REPEATED = 0x08,
+    E2E_P22STATUS_OKSOMELOST = 0x20,
+    E2E_P22STATUS_WRONGSEQUENCE = 0x40
+} E2E_P22CheckStatusType;
+
+typedef struct {
+    E2E_P22CheckStatusType Status;
+    uint8 Counter; /* received last */
+} E2E_P22CheckStateType;
+
+/* Say whether a configuration is one the standard describes: Offset and DataLength multiples of
+ * 8, DataLength at most 2048, header inside it, MaxDeltaCounter 1..15. Protect and Check do not
+ * ask.
+ * Returns E2E_E_OK, E2E_E_INPUTERR_NULL or E2E_E_INPUTERR_WRONG. */
+E2E_API Std_ReturnType E2E_P22CheckConfig(const E2E_P22ConfigType *Config);
+
+/* Set Counter to 0. Returns E2E_E_OK or E2E_E_INPUTERR_NULL. */
+E2E_API Std_ReturnType E2E_P22ProtectInit(E2E_P22ProtectStateType *State);
+
+/* Step the counter, write counter and CRC into Data.
+ *   Length  bytes in Data, header included
+ * Returns E2E_E_OK; E2E_E_INPUTERR_NULL; E2E_E_INPUTERR_WRONG when 8 * Length is not DataLength
+ * or ends before the header does: then nothing is changed. */
+E2E_API Std_ReturnType E2E_P22Protect(const E2E_P22ConfigType *Config,
+                                      E2E_P22ProtectStateType *State, uint8 *Data, uint16 Length);
+
+/* Status ERROR, Counter 15: a sender that starts anew is in sequence. Returns E2E_E_OK or
+ * E2E_E_INPUTERR_NULL. */
+E2E_API Std_ReturnType E2E_P22CheckInit(E2E_P22CheckStateType *State);
+
+/* Check one packet; the verdict is State->Status. ERROR: the CRC is wrong.
+ *   Data, Length  the packet as received; NULL and 0 when there is none
+ * Returns E2E_E_OK; E2E_E_INPUTERR_NULL when Config or State is NULL; E2E_E_INPUTERR_WRONG when
+ * one of Data and Length says there is a packet and the other not, or 8 * Length is not
+ * DataLength or ends before the header does: then nothing is changed. */
+E2E_API Std_ReturnType E2E_P22Check(const E2E_P22ConfigType *Config, E2E_P22CheckStateType *State,
+                                    const uint8 *Data, uint16 Length);
+
+/* Translate return value and Status of a check for the state machine. */
+E2E_API E2E_PCheckStatusType E2E_P22MapStatusToSM(Std_ReturnType CheckReturn,
+                                                  E2E_P22CheckStatusType Status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
