@@ -1,7 +1,7 @@
 %% @doc How everything is timed, and how a figure is printed.
 %%
-%% A figure is the fastest of 16 short slices, and the median of five such: the machine only ever makes
-%% code slower, so the fastest slice is the nearest to what the code costs.
+%% A figure is the fastest of 16 short slices, and the median of five such: the machine only ever
+%% makes code slower, so the fastest slice is the nearest to what the code costs.
 -module(bench_time).
 
 -export([nanoseconds/2, print/4, print/6]).
@@ -19,7 +19,8 @@ nanoseconds(Fun, Calls) ->
 
 -spec print(atom(), number(), string(), none) -> ok.
 print(Key, Value, Unit, none) ->
-    io:format("{\"key\":\"~s\",\"value\":~s,\"unit\":\"~s\",\"baseline\":null,\"baseline_value\":null}~n",
+    io:format("{\"key\":\"~s\",\"value\":~s,\"unit\":\"~s\",\"baseline\":null,"
+              "\"baseline_value\":null}~n",
               [Key, number(Value), Unit]).
 
 %% @doc With what it is compared with: `Baseline' says what that is.

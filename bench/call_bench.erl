@@ -1,4 +1,4 @@
-%% @doc What one call of a C function costs in both transports, and what resetting its library costs.
+%% @doc What a call of a C function costs in both transports, and what resetting its library costs.
 -module(call_bench).
 
 -export([main/0]).

@@ -76,7 +76,8 @@ add_executable(probe probe.c)
 target_link_libraries(probe PRIVATE faultcheck::faultcheck e2e::e2e)
 C
 check "a C program finds both libraries with CMake" exits 0 '^10$' \
-  'cmake -S c -B c/build -DCMAKE_PREFIX_PATH='"$here"'/moved >/dev/null && cmake --build c/build >/dev/null && c/build/probe'
+  'cmake -S c -B c/build -DCMAKE_PREFIX_PATH='"$here"'/moved >/dev/null && cmake --build c/build >/dev/null &&
+   c/build/probe'
 check "and with pkg-config" exits 0 '^10$' \
   'export PKG_CONFIG_PATH='"$here"'/moved/lib/pkgconfig LD_LIBRARY_PATH='"$here"'/moved/lib
    gcc c/probe.c $(pkg-config --cflags --libs faultcheck e2e) -o c/probe && c/probe'

@@ -4,9 +4,6 @@ include(CMakePackageConfigHelpers)
 
 # fc_install_library(TARGET "one line on what it is" [other libraries of ours that it needs])
 function(fc_install_library target description)
-  if(NOT TARGET ${target})
-    return()
-  endif()
   set_target_properties(${target} PROPERTIES
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
   set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/${target}")
