@@ -1,7 +1,7 @@
 %% @doc A run of commands as a person reads it.
 -module(faultcheck_pretty).
 
--export([format/2]).
+-export([format/2, commands/1, why/1]).
 
 %% @doc A run in words: a line for each command, `mod:command(args) -> result', the one that
 %% failed marked with the reason.
@@ -13,6 +13,12 @@ format(Commands, {History, _State, Result}) ->
     Numbered = lists:zip3(lists:seq(1, length(Commands)), Commands,
                           Values ++ lists:duplicate(length(Commands) - length(Values), none)),
     [line(N, Failed, Command, Value, Result, Used) || {N, Command, Value} <- Numbered].
+
+%% @doc The commands alone, a line each.
+-spec commands([faultcheck_generator:command()]) -> [iolist()].
+commands(Commands) ->
+    Used = used_variables(Commands),
+    [call(Command, Used) || Command <- Commands].
 
 %% The number of the command that failed; a precondition stops a run before its command.
 failed_at(_Done, ok) -> none;
@@ -37,6 +43,8 @@ call({set, {var, N}, {call, Mod, Name, Args}}, Used) ->
      end,
      io_lib:format("~tw:~tw(", [Mod, Name]), lists:join(", ", [term(A) || A <- Args]), ")"].
 
+%% @doc Why a run that is not ok ended, in one line or more.
+-spec why(faultcheck_run:result()) -> iolist().
 why({precondition, false}) -> "    precondition false\n";
 why({precondition, Exception}) -> ["    in the precondition: " | cause(Exception)];
 why({postcondition, {exception, _, _, _} = Exception}) ->

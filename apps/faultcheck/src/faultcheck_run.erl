@@ -4,7 +4,7 @@
 %% OTP 24 no longer has, so that an exception in a command would end the whole run.
 -module(faultcheck_run).
 
--export([commands/3, failure/1]).
+-export([commands/3, failure/1, last/0]).
 -export_type([history/0, result/0, run/0, exception/0]).
 
 -type exception() :: {exception, error | exit | throw, Reason :: term(), Stack :: list()}.
@@ -34,10 +34,10 @@ commands(Mod, Commands, Environment) ->
                  env = maps:from_list(Environment),
                  tags = case Counting of true -> []; false -> none end},
     {Result, #run{state = State, history = History} = End} = run(Commands, Start),
-    Done = length(History),
-    remember(Commands, Done, Result),
+    Run = {lists:reverse(History), State, Result},
+    _ = put({?MODULE, last}, {Mod, Commands, Run}),
     _ = Counting andalso count(Commands, End),
-    {lists:reverse(History), State, Result}.
+    Run.
 
 run([], Run) ->
     {ok, Run};
@@ -115,12 +115,6 @@ evaluate(Tuple, Env) when is_tuple(Tuple) ->
 evaluate(Other, _Env) ->
     Other.
 
-%% The shrinker asks how a run failed. It finds nothing when the body of the property ran in
-%% another process (?TIMEOUT, ?TRAPEXIT), or ran other commands than were generated.
-remember(Commands, Done, Result) ->
-    _ = put({?MODULE, last}, {Commands, Done, Result}),
-    ok.
-
 requirements(_Name, _Args, _Result, #run{tags = none} = Run) ->
     Run;
 requirements(Name, Args, Result, #run{model = Model, state = State, tags = Tags} = Run) ->
@@ -133,11 +127,21 @@ count(Commands, #run{model = {_, Info}, history = History, tags = Tags}) ->
     Faults = faultcheck_model:faults(Info),
     faultcheck_stats:sequence(Names, [N || N <- Names, lists:member(N, Faults)], Length, Tags).
 
+%% @doc The last run in this process: the model, the commands and what came of them. There is
+%% none when the body of the property ran in another process (?TIMEOUT, ?TRAPEXIT).
+-spec last() -> {module(), [faultcheck_generator:command()], run()} | none.
+last() ->
+    case get({?MODULE, last}) of
+        undefined -> none;
+        Last -> Last
+    end.
+
 %% @doc How the last run in this process failed, if it was of these commands.
 -spec failure([faultcheck_generator:command()]) -> faultcheck_shrinker:failure().
 failure(Commands) ->
-    case get({?MODULE, last}) of
-        {Commands, Done, Result} -> #{kind => kind(Result), at => at(Done, Result)};
+    case last() of
+        {_, Commands, {History, _, Result}} ->
+            #{kind => kind(Result), at => at(length(History), Result)};
         _ -> #{kind => unknown, at => unknown}
     end.
 
