@@ -1,17 +1,16 @@
 %% @doc From the log of a dead system under test to a reason that names the place.
 %%
-%% The port program writes a `SIGNAL' block into its log before it dies (docs/architecture.md
-%% has the lines); AddressSanitizer and UBSan write reports of their own. Frames are symbolised
+%% The port program writes `@c_bridge' lines into its log before it dies (docs/architecture.md
+%% has their form); AddressSanitizer and UBSan write reports of their own. Frames are symbolised
 %% afterwards, by a function given as argument, because the dead process could not be trusted
 %% to do it.
 -module(cb_crash).
 
--export([reason/4, timeout/5, sanitizer_lines/1, signal_name/1]).
--export_type([crash/0, frame/0, address/0, symboliser/0, sut/0]).
+-export([examine/2, addresses/1, reason/3, sanitizer_lines/1, signal_name/1]).
+-export_type([crash/0, frame/0, address/0, finding/0, sut/0]).
 
 -type frame() :: {Function :: binary(), File :: binary(), Line :: non_neg_integer()}.
 -type address() :: {Module :: binary(), Offset :: non_neg_integer(), First :: boolean()}.
--type symboliser() :: fun(([address()]) -> [frame()]).
 %% What was asked of the system under test: `{Function, Args}' or a request such as `reload'.
 -type sut() :: term().
 -type crash() ::
@@ -26,49 +25,66 @@
     | {exited, 0..127 | unknown, #{in := sut(), log := binary()}}
     | {sanitizer, Kind :: atom(), #{summary := binary(), log := binary(), in := sut()}}
     | {timeout, pos_integer(), #{in := sut(), frames := [frame()], log := binary()}}.
+-opaque finding() ::
+    {sanitizer, Kind :: atom(), Summary :: binary(), Report :: binary()}
+    | {exited, 0..127 | unknown, Output :: binary()}
+    | {crash, Number :: pos_integer(), none | signal(), Output :: binary()}
+    | {timeout, pos_integer(), none | signal(), Output :: binary()}.
+-type signal() :: #{
+    number := pos_integer(), addr := non_neg_integer(), frames := [address()]
+}.
 
 -define(TAIL, 4096).
 
-%% @doc What the end of a process means, given what it wrote since the test began.
--spec reason(cb_program:ending(), sut(), Log :: binary(), symboliser()) -> crash().
-reason(Ending, In, Log, Symboliser) ->
+%% @doc What an end means, given what was written to the log since the test began.
+-spec examine(cb_program:ending() | {timeout, pos_integer()}, Log :: binary()) -> finding().
+examine({timeout, Ms}, Log) ->
+    {Signal, Output} = split(Log),
+    {timeout, Ms, Signal, tail(Output)};
+examine(Ending, Log) ->
     case sanitizer_report(Log) of
         {Kind, Summary, Report} ->
-            {sanitizer, Kind, #{summary => Summary, log => Report, in => In}};
+            {sanitizer, Kind, Summary, Report};
         none ->
             {Signal, Output} = split(Log),
-            ended(Ending, Signal, In, tail(Output), Symboliser)
+            ended(Ending, Signal, tail(Output))
     end.
 
-ended({exit, Status}, _, In, Output, _) ->
+ended({exit, Status}, _, Output) -> {exited, Status, Output};
+ended({signal, Number}, Signal, Output) -> {crash, Number, Signal, Output};
+ended(unknown, none, Output) -> {exited, unknown, Output};
+ended(unknown, #{number := Number} = Signal, Output) -> {crash, Number, Signal, Output}.
+
+%% @doc The places in the code to be named.
+-spec addresses(finding()) -> [address()].
+addresses({_, _, #{frames := Addresses}, _}) -> of_the_sut(Addresses);
+addresses(_) -> [].
+
+%% @doc The reason for callers. In is what was asked, Frames are the names of addresses/1.
+-spec reason(finding(), sut(), [frame()]) -> crash().
+reason({sanitizer, Kind, Summary, Report}, In, _) ->
+    {sanitizer, Kind, #{summary => Summary, log => Report, in => In}};
+reason({exited, Status, Output}, In, _) ->
     {exited, Status, #{in => In, log => Output}};
-ended(unknown, none, In, Output, _) ->
-    {exited, unknown, #{in => In, log => Output}};
-ended(unknown, #{number := Number} = Signal, In, Output, Symboliser) ->
-    ended({signal, Number}, Signal, In, Output, Symboliser);
-ended({signal, Number}, Signal, In, Output, Symboliser) ->
+reason({timeout, Ms, _, Output}, In, Frames) ->
+    {timeout, Ms, #{in => In, frames => Frames, log => Output}};
+reason({crash, Number, Signal, Output}, In, Frames) ->
     {crash, #{
         signal => signal_name(Number),
         addr => address(Number, Signal),
         in => In,
-        frames => frames(Signal, Symboliser),
+        frames => Frames,
         log => Output,
         coredump => none
     }}.
 
-%% @doc The same for a process that did not answer in Ms milliseconds and was made to end.
--spec timeout(pos_integer(), cb_program:ending(), sut(), binary(), symboliser()) -> crash().
-timeout(Ms, _Ending, In, Log, Symboliser) ->
-    {Signal, Output} = split(Log),
-    {timeout, Ms, #{in => In, frames => frames(Signal, Symboliser), log => tail(Output)}}.
-
-%% SIGABRT and signals sent by kill have no address.
-address(_, none) -> unknown;
-address(Number, #{addr := Addr}) when Number =:= 4; Number =:= 7; Number =:= 8; Number =:= 11 -> Addr;
-address(_, _) -> unknown.
-
-frames(none, _) -> [];
-frames(#{frames := Addresses}, Symboliser) -> Symboliser(of_the_sut(Addresses)).
+%% Only SIGILL, SIGBUS, SIGFPE and SIGSEGV have an address.
+address(Number, #{number := Number, addr := Addr}) when
+    Number =:= 4; Number =:= 7; Number =:= 8; Number =:= 11
+->
+    Addr;
+address(_, _) ->
+    unknown.
 
 %% The frames below the call are those of libffi and of the port program.
 of_the_sut(Addresses) ->
@@ -84,47 +100,25 @@ carrier(Module) ->
         _ -> false
     end.
 
-%% ---- the SIGNAL block ------------------------------------------------------------------
+%% ---- the lines of the port program ----------------------------------------------------
 
-%% The last block, and what the log says without any block.
+%% The last signal in it with its frames, and what the log says without such lines.
 split(Log) ->
-    {Block, Output} = sort_lines(binary:split(Log, <<"\n">>, [global]), none, []),
-    {Block, iolist_to_binary(lists:join($\n, Output))}.
+    {Signal, Output} = lists:foldl(fun line/2, {none, []}, binary:split(Log, <<"\n">>, [global])),
+    {Signal, iolist_to_binary(lists:join($\n, lists:reverse(Output)))}.
 
-sort_lines([<<"SIGNAL ", Line/binary>> | Lines], Found, Output) ->
-    case signal_line(Line) of
-        {ok, Signal} ->
-            {Addresses, Rest} = frame_lines(Lines, []),
-            sort_lines(Rest, Signal#{frames => Addresses}, Output);
-        error ->
-            sort_lines(Lines, Found, [<<"SIGNAL ", Line/binary>> | Output])
-    end;
-sort_lines([Line | Lines], Found, Output) ->
-    sort_lines(Lines, Found, [Line | Output]);
-sort_lines([], Found, Output) ->
-    {Found, lists:reverse(Output)}.
-
-signal_line(Line) ->
-    case binary:split(Line, <<" ">>, [global]) of
-        [Number, _Name, <<"code">>, _Code, <<"addr">>, Addr, <<"pc">>, _Pc] ->
-            {ok, #{number => binary_to_integer(Number), addr => hex(Addr)}};
-        _ ->
-            error
-    end.
-
-frame_lines([<<"FRAME ", Frame/binary>> | Lines], Found) ->
-    case re:run(Frame, "^([0-9]+) (.*) (0x[0-9a-f]+)$", [{capture, all_but_first, binary}]) of
-        {match, [Index, Module, Offset]} ->
-            frame_lines(Lines, [{Module, hex(Offset), Index =:= <<"0">>} | Found]);
-        nomatch ->
-            frame_lines(Lines, Found)
-    end;
-frame_lines([<<"OMITTED ", _/binary>> | Lines], Found) ->
-    frame_lines(Lines, Found);
-frame_lines([<<"END">> | Lines], Found) ->
-    {lists:reverse(Found), Lines};
-frame_lines(Lines, Found) ->
-    {lists:reverse(Found), Lines}.
+line(<<"@c_bridge signal ", Line/binary>>, {_, Output}) ->
+    [Number, _Name, <<"code">>, _Code, <<"addr">>, Addr | _] = binary:split(Line, <<" ">>, [global]),
+    {#{number => binary_to_integer(Number), addr => hex(Addr), frames => []}, Output};
+line(<<"@c_bridge frame ", Line/binary>>, {#{frames := Frames} = Signal, Output}) ->
+    {match, [Module, Offset]} =
+        re:run(Line, "^(.*) (0x[0-9a-fA-F]+)$", [{capture, all_but_first, binary}]),
+    Frame = {Module, hex(Offset), Frames =:= []},
+    {Signal#{frames := Frames ++ [Frame]}, Output};
+line(<<"@c_bridge skipped ", _/binary>>, Found) ->
+    Found;
+line(Line, {Signal, Output}) ->
+    {Signal, [Line | Output]}.
 
 hex(<<"0x", Digits/binary>>) -> binary_to_integer(Digits, 16).
 

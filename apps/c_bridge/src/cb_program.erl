@@ -5,7 +5,7 @@
 %% number and dropped.
 -module(cb_program).
 
--export([start/2, request/4, await_end/2, await_child_end/2, signal/2, kill/1, stop/2]).
+-export([start/2, request/4, await_end/2, await_child_end/2, signal/2, kill/1, stop/2, forget/1]).
 -export([os_pid/1]).
 -export_type([program/0, outcome/0, ending/0, callback/0, reason/0]).
 
@@ -63,11 +63,21 @@ os_pid(#program{os_pid = OsPid}) -> OsPid.
 
 %% @doc Sends a request and waits for its answer, or for the end of who should give it.
 -spec request(program(), term(), timeout(), callback()) -> {outcome(), program()}.
-request(#program{port = Port, next = Id} = Program, Request, Timeout, Callback) ->
-    try port_command(Port, term_to_binary({Id, Request})) of
-        true -> {await(Program, Id, Timeout, Callback), Program#program{next = Id + 1}}
+request(#program{next = Id} = Program, Request, Timeout, Callback) ->
+    case await_child_end(Program, 0) of
+        timeout ->
+            Packet = term_to_binary({Id, Request}),
+            Next = Program#program{next = Id + 1},
+            {send(Next, Packet, fun() -> await(Program, Id, Timeout, Callback) end), Next};
+        EndedBefore ->
+            {EndedBefore, Program}
+    end.
+
+send(#program{port = Port} = Program, Packet, Then) ->
+    try port_command(Port, Packet) of
+        true -> Then()
     catch
-        error:badarg -> {{ended, await_end(Program, 1000)}, Program}
+        error:badarg -> {ended, await_end(Program, 1000)}
     end.
 
 await(#program{port = Port} = Program, Id, Timeout, Callback) ->
@@ -88,12 +98,9 @@ await(#program{port = Port} = Program, Id, Timeout, Callback) ->
     after Timeout -> timeout
     end.
 
-answer(#program{port = Port} = Program, Id, Timeout, Callback, {ok, Value}) ->
-    try port_command(Port, term_to_binary({callback, Value})) of
-        true -> await(Program, Id, Timeout, Callback)
-    catch
-        error:badarg -> {ended, await_end(Program, 1000)}
-    end;
+answer(Program, Id, Timeout, Callback, {ok, Value}) ->
+    Packet = term_to_binary({callback, Value}),
+    send(Program, Packet, fun() -> await(Program, Id, Timeout, Callback) end);
 answer(_Program, _Id, _Timeout, _Callback, {error, Reason}) ->
     {abandoned, Reason}.
 
@@ -151,7 +158,7 @@ stop(#program{port = Port} = Program, Patience) ->
     catch
         error:badarg -> ok
     end,
-    forget(Port).
+    forget(Program).
 
 await_or_kill(Program, Patience) ->
     case await_end(Program, Patience) of
@@ -163,20 +170,20 @@ await_or_kill(Program, Patience) ->
             ok
     end.
 
-forget(Port) ->
-    receive
-        {Port, _} -> forget(Port);
-        {'EXIT', Port, _} -> forget(Port)
-    after 0 ->
-        case erlang:port_info(Port) of
-            undefined -> ok;
-            _ -> close(Port)
-        end
-    end.
-
-close(Port) ->
+%% @doc Drops what the ended program has left in the message queue.
+-spec forget(program()) -> ok.
+forget(#program{port = Port}) ->
+    true = unlink(Port),
     try port_close(Port) of
         true -> ok
     catch
         error:badarg -> ok
+    end,
+    flush(Port).
+
+flush(Port) ->
+    receive
+        {Port, _} -> flush(Port);
+        {'EXIT', Port, _} -> flush(Port)
+    after 0 -> ok
     end.
