@@ -15,7 +15,8 @@
 %% function for each C function: `counter:add(1, 2)'.
 %%
 %% With transport `port' (the default) the C code runs in an OS process of its own and may crash,
-%% hang or exit; with `nif' it runs in this VM, about a hundred times faster, and ends it if it crashes.
+%% hang or exit; with `nif' it runs in this VM, about a hundred times faster, and ends it if it
+%% crashes.
 %%
 %% The environment of the application overrides what the caller of start/2 asks for:
 %% `force_transport' (nif, port), `force_reset' (see cb_reset), `timeout_factor' (a number that
@@ -79,7 +80,8 @@ build(Name, Options) ->
         {error, _} = Error -> Error
     end.
 
-load(Name, #{transport := port} = Options, #{file := File, load_options := LoadOptions, env := Env}) ->
+load(Name, #{transport := port} = Options, Build) ->
+    #{file := File, load_options := LoadOptions, env := Env} = Build,
     Keys = [log, reset, force_reset, timeout, slow_timeout, sanitize, owner],
     Config = (maps:with(Keys, Options))#{
         file => File,
@@ -240,7 +242,8 @@ path(Name) -> [Name].
 
 %% @doc Memory that lives until the library is reset or stopped, or free/2 is called.
 -spec create_array(library(), ctype(), [term()] | binary()) -> ptr().
-create_array(Lib, Type, Values) -> request(Lib, {alloc, Type, Values}, {create_array, Type, Values}).
+create_array(Lib, Type, Values) ->
+    request(Lib, {alloc, Type, Values}, {create_array, Type, Values}).
 
 -spec free(library(), ptr()) -> ok.
 free(Lib, Pointer) -> request(Lib, {free, Pointer}, {free, Pointer}).

@@ -23,7 +23,8 @@
 library(Name, Options) ->
     try
         File = file(Name, Options),
-        Env = cb_coverage:environment(maps:get(coverage, Options)) ++ cb_sanitizer:environment(Options),
+        Coverage = cb_coverage:environment(maps:get(coverage, Options)),
+        Env = Coverage ++ cb_sanitizer:environment(Options),
         {ok, #{file => File, load_options => signatures(File, Options), env => Env}}
     catch
         throw:{?MODULE, Reason} -> {error, Reason}
@@ -134,7 +135,8 @@ made({error, Posix}, File) -> fail({cache, File, Posix}).
 object(I, File, Dir, Stubs, Declared, #{compiler := Compilers} = Options) ->
     Base = integer_to_list(I) ++ "-" ++ filename:basename(filename:rootname(File)),
     Object = filename:join(Dir, Base ++ ".o"),
-    Source = with_stubs(File, filename:join(Dir, Base ++ filename:extension(File)), Stubs, Declared),
+    Generated = filename:join(Dir, Base ++ filename:extension(File)),
+    Source = with_stubs(File, Generated, Stubs, Declared),
     Args = compile_flags(Options) ++ ["-c", "-o", Object, Source],
     _ = get_or_fail(cb_compiler:must(File, cb_compiler:for(File, Compilers), Args)),
     Object.
@@ -188,7 +190,8 @@ signatures(File, #{headers := Headers, compiler := Compilers} = Options) ->
     Flags = include_flags(Options) ++ maps:get(cflags, Options),
     Texts = [preprocessed(Header, Compiler, Flags) || Header <- Found],
     {ok, Library} = read_library(File),
-    Dir = filename:join(cache_dir(Options), hash(term_to_binary([Compiler, Flags, Library | Texts]))),
+    Key = hash(term_to_binary([Compiler, Flags, Library | Texts])),
+    Dir = filename:join(cache_dir(Options), Key),
     case filelib:is_regular(filename:join(Dir, "signatures.o")) of
         true ->
             #{signatures => filename:join(Dir, "signatures.o")};
@@ -207,7 +210,8 @@ first_cxx(Headers) ->
 
 %% As given, or in one of the include directories.
 header(Header, #{include_dirs := Dirs}) ->
-    case [File || File <- [Header | [filename:join(D, Header) || D <- Dirs]], filelib:is_regular(File)] of
+    Candidates = [Header | [filename:join(Dir, Header) || Dir <- Dirs]],
+    case lists:filter(fun filelib:is_regular/1, Candidates) of
         [Found | _] -> filename:absname(Found);
         [] -> fail({compile, Header, no_such_file})
     end.

@@ -108,7 +108,8 @@ split(Log) ->
     {Signal, iolist_to_binary(lists:join($\n, lists:reverse(Output)))}.
 
 line(<<"@c_bridge signal ", Line/binary>>, {_, Output}) ->
-    [Number, _Name, <<"code">>, _Code, <<"addr">>, Addr | _] = binary:split(Line, <<" ">>, [global]),
+    [Number, _Name, <<"code">>, _Code, <<"addr">>, Addr | _] =
+        binary:split(Line, <<" ">>, [global]),
     {#{number => binary_to_integer(Number), addr => hex(Addr), frames => []}, Output};
 line(<<"@c_bridge frame ", Line/binary>>, {#{frames := Frames} = Signal, Output}) ->
     {match, [Module, Offset]} =

@@ -13,11 +13,17 @@
     | {stale_pointer, term()}
     | {bad_pointer, term()}
     | term().
+-type arity_expected() :: non_neg_integer() | {at_least, non_neg_integer()}.
+-type load_detail() ::
+    no_debug_info
+    | {dlerror, unicode:chardata()}
+    | {debug_info, unicode:chardata()}
+    | {protocol, term()}.
 -type reason() ::
     %% a call
     {unknown_function, name(), [name()]}
     | {not_callable, name(), inlined | abi_changed | {unsupported_type, pos_integer(), cb:ctype()}}
-    | {arity, name(), non_neg_integer() | {at_least, non_neg_integer()}, non_neg_integer(), binary()}
+    | {arity, name(), arity_expected(), non_neg_integer(), Prototype :: binary()}
     | {arg, name(), pos_integer(), atom() | binary(), value_detail()}
     | {batch, pos_integer(), [term()], reason()}
     | {cxx_exception, binary()}
@@ -40,7 +46,7 @@
     | {callback, term()}
     | {callback, name(), term()}
     %% start and restart
-    | {load, file:filename_all(), no_debug_info | {dlerror, unicode:chardata()} | {debug_info, unicode:chardata()} | {protocol, term()}}
+    | {load, file:filename_all(), load_detail()}
     | {reset, cb_reset:asked(), not_in_nif}
     | {not_started, atom()}
     | {which_library, [atom()]}
@@ -65,22 +71,37 @@ line({unknown_function, F, Similar}) ->
 line({not_callable, F, inlined}) ->
     text("~ts cannot be called: the compiler has inlined it; build with -O0", [name(F)]);
 line({not_callable, F, abi_changed}) ->
-    text("~ts cannot be called: the optimiser has changed its parameters; build with -O0, "
-         "or with -fno-ipa-sra -fno-ipa-cp", [name(F)]);
+    text(
+        "~ts cannot be called: the optimiser has changed its parameters; build with -O0, or "
+        "with -fno-ipa-sra -fno-ipa-cp",
+        [name(F)]
+    );
 line({not_callable, F, {unsupported_type, 0, Type}}) ->
-    text("~ts cannot be called: it returns ~ts, which cannot be passed by value; "
-         "return a pointer to it", [name(F), name(Type)]);
+    text(
+        "~ts cannot be called: it returns ~ts, which cannot be passed by value; return a "
+        "pointer to it",
+        [name(F), name(Type)]
+    );
 line({not_callable, F, {unsupported_type, Position, Type}}) ->
-    text("~ts cannot be called: its argument ~b is ~ts, which cannot be passed by value; "
-         "pass a pointer to it", [name(F), Position, name(Type)]);
+    text(
+        "~ts cannot be called: its argument ~b is ~ts, which cannot be passed by value; pass a "
+        "pointer to it",
+        [name(F), Position, name(Type)]
+    );
 line({arity, F, {at_least, Least}, Got, Prototype}) ->
-    text("~ts takes at least ~b argument~s, got ~b: ~ts", [name(F), Least, s(Least), Got, Prototype]);
+    text(
+        "~ts takes at least ~b argument~s, got ~b: ~ts",
+        [name(F), Least, s(Least), Got, Prototype]
+    );
 line({arity, F, Expected, Got, Prototype}) ->
     text("~ts takes ~b argument~s, got ~b: ~ts", [name(F), Expected, s(Expected), Got, Prototype]);
 line({arg, F, Position, Parameter, Detail}) ->
     text("~ts, argument ~b~ts: ~ts", [name(F), Position, parameter(Parameter), detail(Detail)]);
 line({batch, Position, Done, Reason}) ->
-    text("call ~b of the batch, after ~b that returned: ~ts", [Position, length(Done), line(Reason)]);
+    text(
+        "call ~b of the batch, after ~b that returned: ~ts",
+        [Position, length(Done), line(Reason)]
+    );
 line({cxx_exception, What}) ->
     text("the C++ code threw an exception that it did not catch: ~ts", [What]);
 line({unknown_handle, Handle}) ->
@@ -95,21 +116,33 @@ line({bad_index, Path, Index, 0}) ->
 line({bad_index, Path, Index, Count}) ->
     text("~ts has no index ~tp: 0 to ~b would be right", [path(Path), Index, Count - 1]);
 line({not_accessible, V, optimised_out}) ->
-    text("variable ~ts has no place in memory: the optimiser has removed it; build with -O0", [name(V)]);
+    text(
+        "variable ~ts has no place in memory: the optimiser has removed it; build with -O0",
+        [name(V)]
+    );
 line({not_accessible, V, thread_local}) ->
-    text("variable ~ts is thread-local and not exported: only exported ones can be reached", [name(V)]);
+    text(
+        "variable ~ts is thread-local and not exported: only exported ones can be reached",
+        [name(V)]
+    );
 line({read_only, Path}) ->
     text("~ts is constant: it can be read, not set", [path(Path)]);
 line({value, Where, Detail}) ->
     text("value for ~ts: ~ts", [path(Where), detail(Detail)]);
 line({unknown_type, Type}) ->
-    text("no type ~ts in the debug information; spell it as in C, such as \"struct point *\"", [name(Type)]);
+    text(
+        "no type ~ts in the debug information; spell it as in C, such as \"struct point *\"",
+        [name(Type)]
+    );
 line({null_pointer, Where}) ->
     text("~ts is a null pointer: there is nothing to read or write", [path(Where)]);
 line({stale_pointer, Pointer}) ->
     text("pointer ~tp is from before a reset: ask for it again", [Pointer]);
 line({bad_pointer, Term}) ->
-    text("~tp is no pointer: null or {ptr, Type, Reference} as the bridge gave it would be right", [Term]);
+    text(
+        "~tp is no pointer: null or {ptr, Type, Reference} as the bridge gave it would be right",
+        [Term]
+    );
 line({out_of_bounds, Pointer, Bytes}) ->
     text("~tp has no ~tp bytes to be accessed", [Pointer, Bytes]);
 %% ---- the end of the system under test ----------------------------------------------------------
@@ -143,15 +176,27 @@ line({load, File, {dlerror, Text}}) ->
 line({load, File, {debug_info, Text}}) ->
     text("cannot read the debug information of ~ts: ~ts", [File, Text]);
 line({load, File, {protocol, Got}}) ->
-    text("~ts does not speak this version of the protocol (~0tp): build the native side again", [File, Got]);
+    text(
+        "~ts does not speak this version of the protocol (~0tp): build the native side again",
+        [File, Got]
+    );
 line({reset, Method, not_in_nif}) ->
-    text("reset ~tp needs transport port: with nif use snapshot, reload, {calls, _} or none", [Method]);
+    text(
+        "reset ~tp needs transport port: with nif use snapshot, reload, {calls, _} or none",
+        [Method]
+    );
 line({not_started, Name}) ->
-    text("no library ~tp in this process: cb:start(~tp, Options) or cb:attach(Lib) comes first", [Name, Name]);
+    text(
+        "no library ~tp in this process: cb:start(~tp, Options) or cb:attach(Lib) comes first",
+        [Name, Name]
+    );
 line({which_library, []}) ->
     "no library in this process: cb:start/2 or cb:attach/1 comes first";
 line({which_library, Names}) ->
-    text("several libraries in this process (~ts): give the library as first argument", [names(Names)]);
+    text(
+        "several libraries in this process (~ts): give the library as first argument",
+        [names(Names)]
+    );
 line({bad_option, Option, Expected}) ->
     text("bad option ~0tp: expected ~ts", [Option, Expected]);
 line({missing_option, Options}) ->
@@ -165,19 +210,28 @@ line({compile, File, {no_such_program, Program}}) ->
 line({compile, File, {failed, Text}}) ->
     text("~ts does not compile: ~ts", [File, Text]);
 line({undefined, Names}) ->
-    text("undefined in the sources given: ~ts; add the sources or {libs, _} that have them, or "
-         "{stubs, [{~ts, 0}]}", [names(Names), hd(Names)]);
+    text(
+        "undefined in the sources given: ~ts; add the sources or {libs, _} that have them, or "
+        "{stubs, [{~ts, 0}]}",
+        [names(Names), hd(Names)]
+    );
 line({stub, F, not_declared}) ->
     text("stub ~ts: no source given declares this function; include its header", [F]);
 line({stub, F, {bad_value, Value}}) ->
-    text("stub ~ts: ~0tp is no C constant; a number, an enumerator, null, a binary or a fun would be right",
-         [F, Value]);
+    text(
+        "stub ~ts: ~0tp is no C constant; a number, an enumerator, null, a binary or a fun "
+        "would be right",
+        [F, Value]
+    );
 line({stub, F, {unsupported_declaration, Text}}) ->
     text("stub ~ts: give the returned type a name by a typedef: ~ts", [F, Text]);
 line({cache, File, Posix}) ->
     text("cannot write ~ts: ~ts", [File, file:format_error(Posix)]);
 line({module_clash, Name, Where}) ->
-    text("the name ~tp is that of a module already (~tp): give another name, or {module, false}", [Name, Where]);
+    text(
+        "the name ~tp is that of a module already (~tp): give another name, or {module, false}",
+        [Name, Where]
+    );
 %% ---- journals and defects ----------------------------------------------------------------------
 line({journal, File, not_a_journal}) ->
     text("~ts is not a journal", [File]);
@@ -195,7 +249,8 @@ line(Other) ->
 %% ---- details -----------------------------------------------------------------------------------
 
 detail({out_of_range, Type, Value}) -> text("~0tp is out of range for ~ts", [Value, name(Type)]);
-detail({bad_type, Type, Value}) -> text("~0tp is no value for ~ts~ts", [Value, name(Type), hint(Type)]);
+detail({bad_type, Type, Value}) ->
+    text("~0tp is no value for ~ts~ts", [Value, name(Type), hint(Type)]);
 detail({bad_enumerator, Type, Value}) -> text("~0tp is no enumerator of ~ts", [Value, name(Type)]);
 detail({unsupported_type, Type}) -> text("~ts is not supported", [name(Type)]);
 detail(Other) -> line(Other).
@@ -238,15 +293,17 @@ member(Member) -> [".", step(Member)].
 
 call({Function, Args}) when is_list(Args) ->
     case is_atom(Function) orelse is_binary(Function) of
-        true -> text("~ts(~ts)", [name(Function), lists:join(", ", [text("~0tp", [A]) || A <- Args])]);
+        true -> [name(Function), "(", lists:join(", ", [text("~0tp", [A]) || A <- Args]), ")"];
         false -> text("~0tp", [{Function, Args}])
     end;
 call(In) ->
     text("~0tp", [In]).
 
 place([]) -> "";
-place([{Function, <<>>, _} | _]) -> text(", at ~ts", [Function]);
-place([{Function, File, Line} | _]) -> text(", at ~ts (~ts:~b)", [Function, filename:basename(File), Line]).
+place([{Function, <<>>, _} | _]) ->
+    text(", at ~ts", [Function]);
+place([{Function, File, Line} | _]) ->
+    text(", at ~ts (~ts:~b)", [Function, filename:basename(File), Line]).
 
 address(#{addr := Addr}) when is_integer(Addr) -> text(" at address 0x~.16b", [Addr]);
 address(_) -> "".
@@ -255,7 +312,8 @@ upper(Signal) -> string:uppercase(atom_to_binary(Signal)).
 
 %% dlerror begins with the file name.
 without(File, Text) ->
-    case string:prefix(unicode:characters_to_binary(Text), [unicode:characters_to_binary(File), ": "]) of
+    Start = unicode:characters_to_binary([File, ": "]),
+    case string:prefix(unicode:characters_to_binary(Text), Start) of
         nomatch -> Text;
         Rest -> Rest
     end.

@@ -14,7 +14,8 @@ priv_dir() ->
             Dir
     end.
 
--spec program(string()) -> {ok, file:filename()} | {error, {load, file:filename(), {dlerror, string()}}}.
+-spec program(string()) ->
+    {ok, file:filename()} | {error, {load, file:filename(), {dlerror, string()}}}.
 program(Name) ->
     File = filename:join(priv_dir(), Name),
     case filelib:is_regular(File) of

@@ -1,4 +1,5 @@
-%% @doc The native functions: the `nif' transport, journals, signals, and the environment that C code sees.
+%% @doc The native functions: the `nif' transport, journals, signals, and the environment that C
+%% code sees.
 %%
 %% Loading this module loads no code under test. What a request is and what it answers is told in
 %% docs/architecture.md, "how a call travels"; `cb' is the module to call.

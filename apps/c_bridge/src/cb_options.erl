@@ -143,7 +143,7 @@ is_sanitizer(Kind) -> Kind =:= address orelse Kind =:= undefined.
 is_stub({Function, _}) -> is_atom(Function);
 is_stub(_) -> false.
 
-is_env({Name, Value}) -> io_lib:printable_unicode_list(Name) andalso (Value =:= false orelse is_list(Value));
+is_env({Name, Value}) -> is_list(Name) andalso (Value =:= false orelse is_list(Value));
 is_env(_) -> false.
 
 text(Text, What) when is_binary(Text); is_list(Text), Text =/= [] ->

@@ -21,7 +21,7 @@
     | {abandoned, term()}
     | timeout.
 %% What a stub asks Erlang during a call.
--type callback() :: fun((Function :: atom() | binary(), [term()]) -> {ok, term()} | {error, term()}).
+-type callback() :: fun((Function :: atom(), [term()]) -> {ok, term()} | {error, term()}).
 -type reason() :: {load, file:filename(), {dlerror, string()} | {protocol, term()}}.
 
 -define(PROTOCOL, 1).

@@ -39,7 +39,8 @@ runtime(Compiler) ->
             true -> ["libclang_rt.asan-x86_64.so", "libclang_rt.asan.so"];
             false -> ["libasan.so"]
         end,
-    Found = [File || Name <- Names, {ok, 0, Output} <- [ask(Compiler, Name)], File <- lines(Output)],
+    Outputs = [Output || Name <- Names, {ok, 0, Output} <- [ask(Compiler, Name)]],
+    Found = lists:flatmap(fun lines/1, Outputs),
     case lists:filter(fun filelib:is_regular/1, Found) of
         [Runtime | _] -> Runtime;
         [] -> hd(Names)

@@ -11,7 +11,7 @@
 start(#{file := File, load_options := LoadOptions, env := Env} = Options) ->
     case cb_nif:load_error() of
         none ->
-            %% Of the environment only what compiled code reads at load time: the coverage directory.
+            %% Compiled code reads the coverage directory when it writes its counts.
             ok = lists:foreach(fun({Name, Value}) -> ok = cb_nif:setenv(Name, Value) end, Env),
             load(cb_nif:new(), {load, File, LoadOptions}, Options);
         Reason ->

@@ -70,7 +70,7 @@ assign(Stubs, Sources) -> assign(Stubs, Sources, #{}).
 assign([], _, Assigned) ->
     {ok, Assigned};
 assign([{Function, Value} = Stub | Stubs], Sources, Assigned) ->
-    case [{File, maps:get(Function, Known)} || {File, Known} <- Sources, is_map_key(Function, Known)] of
+    case [{File, Type} || {File, #{Function := Type}} <- Sources] of
         [] ->
             {error, {stub, Function, not_declared}};
         [{_, {unsupported, Text}} | _] ->
@@ -134,9 +134,7 @@ body(_Function, Value, Return, _) ->
     ["    return ", Literal, ";\n"].
 
 literal(<<"void">>, _) -> {ok, ""};
-literal(_, Value) when is_integer(Value), Value > 16#7fffffffffffffff -> {ok, [integer_to_list(Value), "ULL"]};
-literal(_, -16#8000000000000000) -> {ok, "(-9223372036854775807LL - 1)"};
-literal(_, Value) when is_integer(Value) -> {ok, [integer_to_list(Value), "LL"]};
+literal(_, Value) when is_integer(Value) -> {ok, integer(Value)};
 literal(_, Value) when is_float(Value) -> {ok, io_lib:format("~.17g", [Value])};
 literal(_, null) -> {ok, "(void *)0"};
 literal(_, true) -> {ok, "1"};
@@ -147,6 +145,11 @@ literal(_, neg_inf) -> {ok, "-__builtin_inf()"};
 literal(_, Value) when is_atom(Value) -> enumerator(atom_to_binary(Value));
 literal(_, Value) when is_binary(Value) -> {ok, [$", [escape(Byte) || <<Byte>> <= Value], $"]};
 literal(_, _) -> error.
+
+%% The largest negative number cannot be written as one.
+integer(-16#8000000000000000) -> "(-9223372036854775807LL - 1)";
+integer(Value) when Value > 16#7fffffffffffffff -> [integer_to_list(Value), "ULL"];
+integer(Value) -> [integer_to_list(Value), "LL"].
 
 enumerator(Name) ->
     case re:run(Name, "^[A-Za-z_][A-Za-z_0-9]*$") of
