@@ -33,7 +33,7 @@ declarations(Source, Flags) ->
 parse([], Found) ->
     Found;
 parse([Line | Lines], Found) ->
-    Declaration = "^/\\* .* \\*/ extern ([^()]*?)([A-Za-z_][A-Za-z_0-9]*) \\((.*)\\);",
+    Declaration = "^/\\* .* \\*/ extern ([^()]*[ *])([A-Za-z_][A-Za-z_0-9]*) \\((.*)\\);",
     case re:run(Line, Declaration, [{capture, all_but_first, binary}]) of
         {match, [Return, Name, Parameters]} ->
             Type = string:trim(Return),

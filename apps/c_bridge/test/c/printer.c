@@ -1,0 +1,13 @@
+/* A library that prints, on both outputs, with and without a line end. */
+#include <stdio.h>
+#include <unistd.h>
+
+int said;
+
+int say(const char *text) {
+    printf("out: %s", text);
+    fflush(stdout);
+    fprintf(stderr, "err: %s\n", text);
+    /* Bytes that look like a message of the port. */
+    return ++said + (write(1, "\0\0\0\4abcd", 8) == 8 ? 0 : 1000);
+}
