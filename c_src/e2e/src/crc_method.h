@@ -26,6 +26,13 @@
 #define E2E_CRC_METHOD E2E_CRC_TABLE
 #endif
 
+/* Shared between files of the library, not with its users. */
+#if defined(__GNUC__)
+#define E2E_LOCAL __attribute__((visibility("hidden")))
+#else
+#define E2E_LOCAL
+#endif
+
 #define CRC_2(v, b0) v, v ^ b0
 #define CRC_4(v, b0, b1) CRC_2(v, b0), CRC_2(v ^ b1, b0)
 #define CRC_8(v, b0, b1, b2) CRC_4(v, b0, b1), CRC_4(v ^ b2, b0, b1)

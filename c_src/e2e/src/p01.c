@@ -5,27 +5,24 @@
 
 #define TOP (P01_COUNTERS - 1U)
 
-static uint8 packet_crc(const E2E_P01ConfigType *config, const uint8 *data, uint8 counter) {
+static uint8 id_crc(const E2E_P01ConfigType *config, uint8 counter) {
     const uint8 low = (uint8)(config->DataID & 0xFF);
     const uint8 high = (uint8)(config->DataID >> 8);
-    uint8 id[2] = {low, high};
-    uint32 id_length = 2;
-
     switch (config->DataIDMode) {
     case E2E_P01_DATAID_ALT:
-        id[0] = (counter & 1U) ? high : low;
-        id_length = 1;
-        break;
+        return P01_IdByte((counter & 1U) ? high : low);
     case E2E_P01_DATAID_LOW:
-        id_length = 1;
-        break;
+        return P01_IdByte(low);
     case E2E_P01_DATAID_NIBBLE:
-        id[1] = 0;
-        break;
+        return P01_IdBytes(low, 0);
     case E2E_P01_DATAID_BOTH:
         break;
     }
-    return P01_Crc(id, id_length, data, config->DataLength / 8U, config->CRCOffset / 8U);
+    return P01_IdBytes(low, high);
+}
+
+static uint8 packet_crc(const E2E_P01ConfigType *config, const uint8 *data, uint8 counter) {
+    return P01_Crc(id_crc(config, counter), data, config->DataLength / 8U, config->CRCOffset / 8U);
 }
 
 static uint8 id_nibble(const E2E_P01ConfigType *config) {

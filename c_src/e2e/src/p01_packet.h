@@ -2,24 +2,31 @@
 #ifndef P01_PACKET_H
 #define P01_PACKET_H
 
-#include "Crc.h"
+#include "crc8.h"
 #include "nibble.h"
 
 #define P01_COUNTERS 15U /* 0..14; 15 is never sent */
 
-/* CRC of the Data ID bytes given and of all data bytes but the one that holds the CRC.
+/* The two forms in which the Data ID enters the CRC; the CRC of nothing is 0.
  *
- * The standard starts this CRC at 0 and leaves the result as it is: the routine is told to go on
- * from 0xFF and its final XOR is undone. */
-static inline uint8 P01_Crc(const uint8 *id, uint32 id_length, const uint8 *data, uint32 length,
-                            uint32 crc_at) {
+ * The standard starts this CRC at 0 and leaves the result as it is: it has the routine go on from
+ * 0xFF and undoes its final XOR. What remains is the bare remainder. */
+static inline uint8 P01_IdByte(uint8 byte) {
+    return Crc8_Byte(&Crc8_J1850, 0, byte);
+}
+
+static inline uint8 P01_IdBytes(uint8 first, uint8 second) {
+    return Crc8_Byte(&Crc8_J1850, P01_IdByte(first), second);
+}
+
+/* Goes on from the CRC of the Data ID over all data bytes but the one that holds the CRC. */
+static inline uint8 P01_Crc(uint8 id_crc, const uint8 *data, uint32 length, uint32 crc_at) {
     const uint32 before = crc_at < length ? crc_at : length;
-    uint8 crc = Crc_CalculateCRC8(id, id_length, 0xFF, FALSE);
-    crc = Crc_CalculateCRC8(data, before, crc, FALSE);
-    if (crc_at + 1U < length) {
-        crc = Crc_CalculateCRC8(data + crc_at + 1U, length - crc_at - 1U, crc, FALSE);
+    const uint8 crc = Crc8_Run(&Crc8_J1850, id_crc, data, before);
+    if (crc_at + 1U >= length) {
+        return crc;
     }
-    return (uint8)(crc ^ 0xFF);
+    return Crc8_Run(&Crc8_J1850, crc, data + crc_at + 1U, length - crc_at - 1U);
 }
 
 #endif

@@ -7,8 +7,9 @@
 
 static uint8 packet_crc(const E2E_P11ConfigType *config, const uint8 *data) {
     const int nibble = config->DataIDMode == E2E_P11_DATAID_NIBBLE;
-    const uint8 id[2] = {(uint8)config->DataID, nibble ? 0 : (uint8)(config->DataID >> 8)};
-    return P01_Crc(id, sizeof id, data, config->DataLength / 8U, config->CRCOffset / 8U);
+    const uint8 high = nibble ? 0 : (uint8)(config->DataID >> 8);
+    return P01_Crc(P01_IdBytes((uint8)config->DataID, high), data, config->DataLength / 8U,
+                   config->CRCOffset / 8U);
 }
 
 static uint8 id_nibble(const E2E_P11ConfigType *config) {
