@@ -1,5 +1,5 @@
-%% @doc What a test of the airbag costs, beside PropEr's own cost for sequences of the same commands and
-%% length; how long 100 000 tests take; and whether memory grows meanwhile.
+%% @doc What a test of the airbag costs, beside PropEr's own cost for sequences of the same commands
+%% and length; how long 100 000 tests take; and whether memory grows meanwhile.
 -module(airbag_bench).
 
 -export([main/0]).

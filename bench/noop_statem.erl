@@ -1,4 +1,4 @@
-%% @doc The airbag's command mix as a plain proper_statem that does nothing: what PropEr alone costs.
+%% @doc The airbag's command mix as a plain proper_statem that does nothing: PropEr's own cost.
 -module(noop_statem).
 -behaviour(proper_statem).
 -include_lib("proper/include/proper.hrl").
@@ -10,7 +10,8 @@
 %% @doc `Scale' stretches the sequences, `Seen' is called with the length of each.
 -spec property(float(), fun((non_neg_integer()) -> term())) -> proper:outer_test().
 property(Scale, Seen) ->
-    Longer = ?SIZED(Size, proper_types:resize(round(Size * Scale), proper_statem:commands(?MODULE))),
+    Plain = proper_statem:commands(?MODULE),
+    Longer = ?SIZED(Size, proper_types:resize(round(Size * Scale), Plain)),
     ?FORALL(Commands, Longer,
             begin
                 Seen(length(Commands)),

@@ -23,11 +23,12 @@ native  cmd:pkg-config           pkg-config
 native  header:elfutils/libdwfl.h  libdw-dev
 native  header:ffi.h             libffi-dev
 native  cmd:erl                  erlang-base
-native  erlheader:erl_nif.h      erlang-dev
+native  erlang:erl_nif.h         erlang-dev
 demo    app:eunit                erlang-eunit
 demo    app:syntax_tools         erlang-syntax-tools
 demo    cmd:rebar3               rebar3
 demo    app:proper               erlang-proper
+demo    erlang:proper.hrl        erlang-proper-dev
 test    app:common_test          erlang-common-test
 test    app:dialyzer             erlang-dialyzer
 test    cmd:clang                clang
@@ -57,7 +58,10 @@ erlang_lib_names() {
     erlang_libs=" $(erl -noinput -boot start_clean -eval '
       [case code:lib_dir(A) of {error, _} -> ok; _ -> io:format("~s ", [A]) end
        || A <- [eunit, syntax_tools, proper, common_test, dialyzer]],
-      filelib:is_file(filename:join([code:root_dir(), "usr", "include", "erl_nif.h"])) andalso io:format("erl_nif.h "),
+      [filelib:is_file(F) andalso io:format("~s ", [filename:basename(F)])
+       || F <- [filename:join([code:root_dir(), "usr", "include", "erl_nif.h"]),
+                filename:join([case code:lib_dir(proper) of {error, _} -> "/"; D -> D end,
+                               "include", "proper.hrl"])]],
       halt().') "
   fi
 }
@@ -66,7 +70,7 @@ present() {
   case "$1" in
     cmd:*) command -v "${1#cmd:}" >/dev/null 2>&1 ;;
     header:*) echo "#include <${1#header:}>" | cc -E -x c - >/dev/null 2>&1 ;;
-    app:* | erlheader:*) erlang_lib_names && [[ $erlang_libs = *" ${1#*:} "* ]] ;;
+    app:* | erlang:*) erlang_lib_names && [[ $erlang_libs = *" ${1#*:} "* ]] ;;
     link:*)
       echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char *, unsigned long) { return 0; }' |
         clang++ "${1#link:}" -x c++ - -o /dev/null >/dev/null 2>&1 ;;

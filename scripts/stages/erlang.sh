@@ -8,25 +8,24 @@ run() {
   local name=$1 log
   shift
   log="$reports/$name.log"
-  "$@" >"$log" 2>&1
-  status=$?
+  "$@" 2>&1 | plain >"$log"
+  status=${PIPESTATUS[0]}
   [ $status -eq 0 ] || { all_status=1; tail -n 80 "$log"; }
 }
 
 all_status=0
 run eunit rebar3 eunit
 # "N tests, M failures, K cancelled"
-read -r tests bad < <(sed 's/\x1b\[[0-9;]*m//g' "$reports/eunit.log" |
-  sed -nE 's/^([0-9]+) tests?, ([0-9]+) failures?.*/\1 \2/p' | tail -1)
+read -r tests bad < <(
+  sed -nE 's/^([0-9]+) tests?, ([0-9]+) failures?.*/\1 \2/p' "$reports/eunit.log" | tail -1)
 passed=$((passed + ${tests:-0} - ${bad:-0}))
 failed=$((failed + ${bad:-0}))
 
 if compgen -G 'apps/*/test/*_SUITE.erl' >/dev/null; then
   run ct rebar3 ct
   # "All N tests passed." or "Failed N tests. [Skipped N (...) tests. ]Passed N tests."
-  clean=$(sed 's/\x1b\[[0-9;]*m//g' "$reports/ct.log")
-  good=$(sed -nE 's/.*(All|Passed) ([0-9]+) tests.*/\2/p' <<<"$clean" | tail -1)
-  bad=$(sed -nE 's/.*Failed ([0-9]+) tests.*/\1/p' <<<"$clean" | tail -1)
+  good=$(sed -nE 's/.*(All|Passed) ([0-9]+) tests.*/\2/p' "$reports/ct.log" | tail -1)
+  bad=$(sed -nE 's/.*Failed ([0-9]+) tests.*/\1/p' "$reports/ct.log" | tail -1)
   passed=$((passed + ${good:-0}))
   failed=$((failed + ${bad:-0}))
 fi

@@ -12,6 +12,9 @@ mkdir -p "$reports"
 passed=0
 failed=0
 
+# rebar3 colours what it prints, also into files.
+plain() { sed 's/\x1b\[[0-9;]*m//g'; }
+
 # check TEXT COMMAND...: one check; its output is shown only when it fails.
 check() {
   local text=$1 output
@@ -20,7 +23,7 @@ check() {
     passed=$((passed + 1))
   else
     failed=$((failed + 1))
-    printf 'FAILED: %s\n%s\n' "$text" "$output"
+    printf 'FAILED: %s\n%s\n' "$text" "$output" | plain
   fi
 }
 

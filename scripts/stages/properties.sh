@@ -4,8 +4,8 @@ source "$(dirname "$0")/lib.sh"
 export FAULTCHECK_CASES="$root/_build/test/cases"
 xml="$reports/properties.xml"
 rm -f "$xml"
-rebar3 proper --junit "$xml" >"$reports/properties.log" 2>&1
-status=$?
+rebar3 proper --junit "$xml" 2>&1 | plain >"$reports/properties.log"
+status=${PIPESTATUS[0]}
 [ $status -eq 0 ] || tail -n 60 "$reports/properties.log"
 [ -f "$xml" ] && count_junit "$xml"
 finish $status
