@@ -7,7 +7,7 @@
 %% '''
 -module(faultcheck_options).
 
--export([parse/1, check/1, proper/1, getopt/0, help/0]).
+-export([parse/1, check/1, proper/1, arguments/1, getopt/0, help/0]).
 -export_type([options/0]).
 
 -type options() :: #{atom() => term()}.
@@ -208,6 +208,21 @@ proper(Key, pair, Value) -> [{Key, Value}];
 proper(Key, flag, true) -> [Key];
 proper(_Key, flag, false) -> [];
 proper(_Key, ours, _) -> [].
+
+%% @doc The command line words for what a run depends on: tests, sizes, shrinking, transport.
+-spec arguments(options()) -> [string()].
+arguments(Options) ->
+    Keys = [Key || {Key, _, _, _, Kind, _} <- table(), Kind =/= ours] ++
+        [dir, transport, time, timeout, sys_config],
+    lists:append([arguments(Key, maps:get(Key, Options)) || Key <- Keys, set(Key, Options)]).
+
+set(Key, Options) ->
+    {_, _, _, Default, _, _} = lists:keyfind(Key, 1, table()),
+    maps:get(Key, Options, undefined) =/= Default.
+
+arguments(Key, true) -> [lists:concat(["--", Key])];
+arguments(Key, [[_ | _] | _] = Names) -> arguments(Key, lists:append(lists:join(",", Names)));
+arguments(Key, Value) -> [lists:concat(["--", Key]), lists:concat([Value])].
 
 %% @doc The table as rebar3 wants it for `rebar3 help proper'.
 -spec getopt() -> [{atom(), char() | undefined, string(), atom(), string()}].

@@ -27,7 +27,8 @@ phrase(Word, Known) ->
 
 %% Levenshtein distance, one row at a time.
 distance(A, B) ->
-    lists:last(lists:foldl(fun(Char, Row) -> next_row(Char, B, Row) end, lists:seq(0, length(B)), A)).
+    First = lists:seq(0, length(B)),
+    lists:last(lists:foldl(fun(Char, Row) -> next_row(Char, B, Row) end, First, A)).
 
 next_row(Char, B, [First | _] = Row) ->
     next_row(Char, B, Row, [First + 1]).

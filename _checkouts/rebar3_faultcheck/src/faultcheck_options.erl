@@ -1,0 +1,1 @@
+../../../apps/faultcheck/src/faultcheck_options.erl

@@ -1,0 +1,141 @@
+%% @doc Adds to a PropEr property what a run needs to know: each test gets its own random seed,
+%% the journal hears of each test and each candidate, and an exception is kept with its stack.
+%%
+%% A property is left as it is apart from that: the counterexample has the shape that
+%% `proper:check/2' wants, so a stored one fits the property with and without these additions.
+%% All knowledge of how PropEr 1.2 to 1.5 represents a property as a term is in this module.
+-module(faultcheck_instrument).
+
+-export([peel/1, test/2, seed/2, size/0, exception/1]).
+-export_type([outer/0, plan/0]).
+
+-type outer() :: #{
+    numtests => pos_integer(),
+    fails => true,
+    on_output => fun((string(), [term()]) -> ok),
+    setup => [fun()]
+}.
+-type plan() :: #{
+    property := {module(), atom()},
+    seed := non_neg_integer(),
+    %% says which test begins: the same number again while it is shrunk; `stop' when the run's
+    %% time is up, and then the remaining tests are empty
+    next := fun(() -> pos_integer() | stop),
+    exceptions := ets:tid(),
+    %% told the value of each outermost ?FORALL, whose body is then not run
+    instead => fun((term()) -> ok)
+}.
+
+%% @doc Takes off the wrappers that PropEr accepts only at the outermost place.
+-spec peel(proper:outer_test()) -> {proper:test(), outer()}.
+peel(Test) -> peel(Test, #{}).
+
+peel({numtests, N, Test}, Outer) -> peel(Test, Outer#{numtests => N});
+peel({fails, Test}, Outer) -> peel(Test, Outer#{fails => true});
+peel({on_output, Print, Test}, Outer) -> peel(Test, Outer#{on_output => Print});
+peel({setup, Fun, Test}, Outer) -> peel(Test, Outer#{setup => [Fun | maps:get(setup, Outer, [])]});
+peel(Test, Outer) -> {Test, Outer}.
+
+%% @doc The property with everything added, and its set-up functions back in place.
+%%
+%% PropEr forces the outer delayed property once per test, before the generators draw.
+-spec test({proper:test(), outer()}, plan()) -> proper:outer_test().
+test({Test, Outer}, Plan) ->
+    Begin = fun() -> begin_test(Test, Plan) end,
+    lists:foldl(
+        fun proper:setup/2,
+        proper:whenfail(fun() -> ok end, Begin),
+        maps:get(setup, Outer, [])
+    ).
+
+begin_test(Test, #{property := Property, seed := Seed, next := Next} = Plan) ->
+    case Next() of
+        stop ->
+            true;
+        Number ->
+            _ = seed(Seed, Number),
+            ok = faultcheck_journal:test(#{
+                property => Property, seed => Seed, test => Number, size => size()
+            }),
+            inside(Test, outermost, Plan)
+    end.
+
+%% @doc Seeds this process for test Number of the run: 32 bits of each.
+-spec seed(non_neg_integer(), pos_integer()) -> rand:state().
+seed(Seed, Number) ->
+    rand:seed(exsss, ((Seed band 16#FFFFFFFF) bsl 32) bor (Number band 16#FFFFFFFF)).
+
+%% @doc The size PropEr has reached.
+-spec size() -> non_neg_integer().
+size() -> get('$size').
+
+%% @doc The last exception in a property's body.
+-spec exception(ets:tid()) -> {error | exit | throw, term(), list()} | none.
+exception(Table) ->
+    case ets:lookup(Table, last) of
+        [{last, Class, Reason, Stack}] -> {Class, Reason, Stack};
+        [] -> none
+    end.
+
+%% Walks into the property as far as it is known already, and wraps the parts that come later.
+inside({forall, Type, Body}, Place, Plan) when is_function(Body, 1) ->
+    {forall, Type, fun(Instance) -> body(Instance, Body, Place, Plan) end};
+inside({conjunction, Parts}, Place, Plan) ->
+    {conjunction, [{Tag, inside(Part, Place, Plan)} || {Tag, Part} <- Parts]};
+inside({implies, Pre, Later}, Place, Plan) ->
+    {implies, Pre, later(Later, Place, Plan)};
+inside({sample, Sample, Printer, Test}, Place, Plan) ->
+    {sample, Sample, Printer, inside(Test, Place, Plan)};
+inside({whenfail, Action, Later}, Place, Plan) ->
+    {whenfail, fun() -> action(Action) end, later(Later, Place, Plan)};
+inside({trapexit, Later}, Place, Plan) ->
+    {trapexit, later(Later, Place, Plan)};
+inside({timeout, Limit, Later}, Place, Plan) ->
+    {timeout, Limit, later(Later, Place, Plan)};
+inside(Other, _Place, _Plan) ->
+    Other.
+
+body(Instance, _Body, _Place, #{instead := Instead}) ->
+    ok = Instead(Instance),
+    true;
+body(Instance, Body, Place, Plan) ->
+    _ = Place =:= outermost andalso faultcheck_journal:attempt(),
+    guarded(fun() -> Body(Instance) end, nested, Plan).
+
+later(Later, Place, Plan) when is_function(Later, 0) ->
+    fun() -> guarded(Later, Place, Plan) end;
+later(Other, _Place, _Plan) ->
+    Other.
+
+%% PropEr throws these three to itself.
+guarded(Body, Place, #{exceptions := Table} = Plan) ->
+    try Body() of
+        Test -> inside(Test, Place, Plan)
+    catch
+        throw:'$arity_limit' ->
+            throw('$arity_limit');
+        throw:'$cant_generate' ->
+            throw('$cant_generate');
+        throw:{'$typeserver', Reason} ->
+            throw({'$typeserver', Reason});
+        Class:Reason:Stack ->
+            true = ets:insert(Table, {last, Class, Reason, Stack}),
+            failed(Class, Reason, Stack)
+    end.
+
+%% PropEr before 1.3 asks for the stack in a way that OTP 24 no longer has, and would end the
+%% whole run with `undef'.
+failed(Class, Reason, Stack) ->
+    case faultcheck_versions:proper() >= [1, 3] of
+        true -> erlang:raise(Class, Reason, Stack);
+        false -> false
+    end.
+
+action(Action) ->
+    try
+        _ = Action(),
+        ok
+    catch
+        Class:Reason ->
+            io:format("the action of a ?WHENFAIL failed: ~0tp:~0tp~n", [Class, Reason])
+    end.

@@ -1,0 +1,152 @@
+%% @doc A child VM to give jobs to, started when it is needed and again when the last one died,
+%% and the display of what its jobs print.
+-module(faultcheck_session).
+
+-export([new/1, run/2, stop/1, last_journal/1, last_log/1, print/2]).
+-export_type([session/0, config/0, answer/0, info/0]).
+
+-type config() :: #{
+    child := faultcheck_child:options(),
+    print := fun((iodata()) -> ok),
+    %% whether a line of progress may be rewritten in place
+    terminal := boolean(),
+    verbose := boolean()
+}.
+-opaque session() :: #{
+    config := config(),
+    child := faultcheck_child:child() | none,
+    %% the one whose journal and log tell what happened last
+    last := faultcheck_child:child() | none,
+    number := non_neg_integer()
+}.
+%% What a job said before it ended, in whatever way.
+-type info() :: #{
+    limit => pos_integer(),
+    numtests => pos_integer(),
+    doc => string(),
+    tests => non_neg_integer(),
+    failed => faultcheck_property:failure()
+}.
+-type answer() ::
+    {result, faultcheck_property:result(), info()}
+    | {dead, cb_guard:ending(), info()}
+    | {hang, info()}
+    | {no_child, string()}
+    | interrupted.
+
+-define(FIRST_PROGRESS_MS, 2000).
+-define(PROGRESS_MS, 10000).
+
+-spec new(config()) -> session().
+new(Config) ->
+    #{config => Config, child => none, last => none, number => 0}.
+
+-spec run(faultcheck_property:job(), session()) -> {answer(), session()}.
+run(Job, #{child := none, number := Number, config := #{child := Options}} = Session) ->
+    Name = "child-" ++ integer_to_list(Number),
+    case faultcheck_child:start(Name, Options) of
+        {ok, Child} ->
+            run(Job, Session#{child := Child, last := Child, number := Number + 1});
+        {error, Line} ->
+            {{no_child, Line}, Session}
+    end;
+run(Job, #{child := Child} = Session) ->
+    Watch = faultcheck_child:run(Child, Job),
+    Now = now_ms(),
+    Shown = #{began => Now, next => Now + ?FIRST_PROGRESS_MS, open => false, midline => false, job => Job},
+    loop(Watch, #{}, Shown, Session).
+
+loop(Watch, Info, Shown, #{child := Child} = Session) ->
+    case faultcheck_child:next(Child, Watch) of
+        {{output, Text}, Next} ->
+            Clear = clear(Shown, Session),
+            ok = output(Text, Session),
+            loop(Next, Info, Clear#{midline := midline(Text, Session)}, Session);
+        {{started, Started}, Next} ->
+            loop(Next, maps:merge(Info, Started), Shown, Session);
+        {{failed, Failure}, Next} ->
+            loop(Next, Info#{failed => Failure}, Shown, Session);
+        {{progress, Tests}, Next} ->
+            loop(Next, Info#{tests => Tests}, progress(Tests, Info, Shown, Session), Session);
+        {{result, Result}, _} ->
+            ok = end_line(Shown, Session),
+            {{result, Result, Info}, Session};
+        {{died, Line}, _} ->
+            ok = end_line(Shown, Session),
+            Died = #{status => error, ms => 0, reasons => [Line]},
+            {{result, Died#{tests => maps:get(tests, Info, 0)}, Info}, Session};
+        {{ended, Ending}, _} ->
+            ok = end_line(Shown, Session),
+            {{dead, Ending, Info}, Session#{child := none}};
+        {hang, _} ->
+            ok = end_line(Shown, Session),
+            _ = faultcheck_child:quit(Child),
+            {{hang, Info}, Session#{child := none}};
+        {interrupted, _} ->
+            ok = end_line(Shown, Session),
+            ok = faultcheck_child:close(Child),
+            {interrupted, Session#{child := none}}
+    end.
+
+midline(Text, #{config := #{verbose := Verbose}}) -> Verbose andalso binary:last(Text) =/= $\n.
+
+end_line(Shown, Session) ->
+    case clear(Shown, Session) of
+        #{midline := true} -> print("\n", Session);
+        _ -> ok
+    end.
+
+output(Text, #{config := #{verbose := true, print := Print}}) -> Print(Text);
+output(_Text, _Session) -> ok.
+
+%% @doc Shows a text of the runner's own.
+-spec print(iodata(), session()) -> ok.
+print(Text, #{config := #{print := Print}}) -> Print(Text).
+
+progress(Tests, Info, #{began := Began, next := Next, job := Job} = Shown, Session) ->
+    #{config := #{verbose := Verbose, terminal := Terminal}} = Session,
+    Now = now_ms(),
+    case Verbose andalso Now >= Next of
+        true ->
+            Line = faultcheck_report:progress(property(Job), Tests, Now - Began, goal(Job, Info)),
+            show_progress(Line, Terminal, Session),
+            Shown#{next := Now + interval(Terminal), open := Terminal};
+        false ->
+            Shown
+    end.
+
+property(#{module := M, function := F}) -> {M, F}.
+
+goal(#{time := Seconds}, _) -> {ms, 1000 * Seconds};
+goal(_, Info) -> {tests, maps:get(numtests, Info, 1)}.
+
+interval(true) -> 500;
+interval(false) -> ?PROGRESS_MS.
+
+show_progress(Line, true, Session) -> print(["\r\e[K", Line], Session);
+show_progress(Line, false, Session) -> print([Line, $\n], Session).
+
+%% Takes away the line of progress that is being rewritten.
+clear(#{open := true} = Shown, Session) ->
+    ok = print("\r\e[K", Session),
+    Shown#{open := false};
+clear(Shown, _Session) ->
+    Shown.
+
+now_ms() -> erlang:monotonic_time(millisecond).
+
+%% @doc Ends the child VM, if there is one.
+-spec stop(session()) -> session().
+stop(#{child := none} = Session) ->
+    Session;
+stop(#{child := Child} = Session) ->
+    ok = faultcheck_child:stop(Child),
+    Session#{child := none}.
+
+%% @doc The journal of the child that ran the last job.
+-spec last_journal(session()) -> file:filename().
+last_journal(#{last := Child}) -> faultcheck_child:journal(Child).
+
+%% @doc The end of what the child that ran the last job printed.
+-spec last_log(session()) -> string().
+last_log(#{last := Child}) -> faultcheck_child:log(Child).
