@@ -23,11 +23,15 @@ case "$kind" in
   *) echo "build_native: unknown kind '$kind' (release, asan, tsan, fuzz or coverage)" >&2; exit 2 ;;
 esac
 
+# Two builds in one tree at a time would write the same files.
+mkdir -p "$build"
+exec 9>"$build/.lock"
+flock 9
+
 if [ ! -f "$build/CMakeCache.txt" ]; then
   generator=()
   command -v ninja >/dev/null 2>&1 && generator=(-G Ninja)
-  mkdir -p "$build"
-  cmake -S "$root/c_src" -B "$build" "${generator[@]}" "${options[@]}" >"$build/configure.log" 2>&1 || {
+  cmake -S "$root/c_src" -B "$build" "${generator[@]}" "${options[@]}" >"$build/configure.log" 2>&1 9>&- || {
     rm -f "$build/CMakeCache.txt"
     cat "$build/configure.log" >&2
     exit 3
@@ -35,4 +39,4 @@ if [ ! -f "$build/CMakeCache.txt" ]; then
 fi
 targets=()
 [ $# -gt 0 ] && targets=(--target "$@")
-cmake --build "$build" --parallel "$(nproc)" "${targets[@]}"
+cmake --build "$build" --parallel "$(nproc)" "${targets[@]}" 9>&-
