@@ -7,7 +7,7 @@
 -module(airbag_eqc).
 -include_lib("faultcheck/include/faultcheck.hrl").
 
--export([safe/1, begin_test/1]).
+-export([safe/1, begin_test/1, armed_faults/1]).
 -export_type([fault/0]).
 
 -define(CHANNEL, <<"airbag">>).
@@ -39,11 +39,10 @@ sensor(Data) -> lists:last(airbag_sut:calls(message(Data) ++ iteration() ++ [fla
 sensor_post(_S, [_Data], Active) -> Active =:= 0.
 
 %% ---- bit_flip: from now on one bit of each packet is inverted -------------------------------
-bit_flip_pre(S) -> room(S) andalso flips(S) < option(max_flips, S).
+bit_flip_pre(S) -> room(bit_flip, S) andalso flips(S) < option(max_flips, S).
 bit_flip_args(S) -> [integer(0, packet_bytes(S) - 1), integer(0, 7)].
 bit_flip_pre(S, [Byte, Bit]) ->
-    room(S) andalso
-        flips(S) < option(max_flips, S) andalso
+    bit_flip_pre(S) andalso
         Byte < packet_bytes(S) andalso
         not armed({bitflip, Byte, Bit}, S).
 bit_flip(Byte, Bit) ->
@@ -51,9 +50,9 @@ bit_flip(Byte, Bit) ->
 bit_flip_next(S, _Result, [Byte, Bit]) -> add({bitflip, Byte, Bit}, S).
 
 %% ---- repetition: the next packet is delivered 1 to 3 more times -----------------------------
-repetition_pre(S) -> room(S).
+repetition_pre(S) -> room(repetition, S).
 repetition_args(_S) -> [integer(1, 3)].
-repetition_pre(S, [Num]) -> room(S) andalso not armed({repetition, Num}, S).
+repetition_pre(S, [Num]) -> repetition_pre(S) andalso not armed({repetition, Num}, S).
 repetition(Num) -> arm(faultcheck_packet_addFaultRepeat, [?CHANNEL, Num]).
 repetition_next(S, _Result, [Num]) -> add({repetition, Num}, S).
 
@@ -79,6 +78,10 @@ begin_test(Options) ->
     ok = airbag_options:use(Options),
     airbag_sut:begin_test(Options).
 
+%% @doc The faults armed in a state of the model.
+-spec armed_faults(#state{}) -> [fault()].
+armed_faults(#state{faults = Faults}) -> Faults.
+
 %% @doc The property: no sequence of commands makes the airbag break its promises.
 -spec safe(airbag_options:options()) -> proper:outer_test().
 safe(Options) ->
@@ -103,7 +106,8 @@ safe(Options) ->
 first_byte(#{generator := byte}) -> byte();
 first_byte(#{generator := focused}) -> oneof([84, 87, 117, 213, 21]).
 
-room(#state{faults = Faults} = S) -> length(Faults) < option(max_faults, S).
+room(Kind, #state{faults = Faults} = S) ->
+    lists:member(Kind, option(faults, S)) andalso length(Faults) < option(max_faults, S).
 
 flips(#state{faults = Faults}) -> length([bitflip || {bitflip, _, _} <- Faults]).
 

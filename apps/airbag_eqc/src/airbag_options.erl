@@ -18,6 +18,8 @@
     needed := pos_integer(),
     %% after explosion the faults are gone; the paper's model goes on as if they were armed
     fault_list := cleared | paper,
+    %% which commands that inject faults are generated, and how many in all
+    faults := [bit_flip | repetition],
     max_faults := non_neg_integer(),
     max_flips := non_neg_integer()
 }.
@@ -39,6 +41,7 @@ defaults() ->
         generator => byte,
         needed => 2,
         fault_list => cleared,
+        faults => [bit_flip, repetition],
         max_faults => 4,
         max_flips => 4
     }.
@@ -48,6 +51,7 @@ valid(configuration, V) -> lists:member(V, [thesis, recommended]);
 valid(generator, V) -> lists:member(V, [byte, focused]);
 valid(needed, V) -> is_integer(V) andalso V > 0;
 valid(fault_list, V) -> lists:member(V, [cleared, paper]);
+valid(faults, V) -> is_list(V) andalso V -- [bit_flip, repetition] =:= [];
 valid(max_faults, V) -> is_integer(V) andalso V >= 0;
 valid(max_flips, V) -> is_integer(V) andalso V >= 0.
 

@@ -2,9 +2,12 @@
 %%
 %% Each process has one instance: begin_test/1 starts it when there is none, and from then on
 %% resets it by calls of its own initialisers. It ends with its process.
+%%
+%% Environment of the application: `transport' (nif; a runner may force another) and `library', the
+%% file where it is not to be searched for.
 -module(airbag_sut).
 
--export([begin_test/1, calls/1, library/0, stop/0, default_transport/1]).
+-export([begin_test/1, calls/1, value_of/1, flush_coverage/0, stop/0, library/0]).
 -export_type([call/0]).
 
 -type call() :: {atom(), [term()]}.
@@ -30,7 +33,7 @@ restarted({error, Reason}) -> error({cb, Reason}).
 start(Options) ->
     File = library(),
     Transport = application:get_env(airbag_eqc, transport, nif),
-    Start = [{so, File}, {transport, Transport}, {reset, {calls, reset(Options)}}],
+    Start = [{so, File}, {transport, Transport}, {reset, {calls, reset(Options)}}, {module, false}],
     case cb:start(airbag, Start) of
         {ok, Sut} ->
             _ = put(?MODULE, {Options, Sut}),
@@ -58,6 +61,18 @@ calls(Calls) ->
     {_, Sut} = get(?MODULE),
     cb:call_batch(Sut, Calls).
 
+%% @doc A global of the airbag.
+-spec value_of(atom()) -> term().
+value_of(Name) ->
+    {_, Sut} = get(?MODULE),
+    cb:value_of(Sut, Name).
+
+%% @doc Writes the line counts of a library built for coverage.
+-spec flush_coverage() -> ok.
+flush_coverage() ->
+    {_, Sut} = get(?MODULE),
+    cb:flush_coverage(Sut).
+
 %% @doc Ends the calling process's instance.
 -spec stop() -> ok.
 stop() ->
@@ -66,14 +81,15 @@ stop() ->
         {_, Sut} -> cb:stop(Sut)
     end.
 
-%% @doc The transport where nothing else asks for one. The shipped models ask for nif.
--spec default_transport(nif | port) -> ok.
-default_transport(Transport) ->
-    application:set_env(airbag_eqc, transport, Transport).
-
 %% @doc The library file: of FAULTCHECK_LIB_DIR, of the clone, or of an installation.
 -spec library() -> file:filename().
 library() ->
+    case application:get_env(airbag_eqc, library) of
+        {ok, File} -> File;
+        undefined -> search()
+    end.
+
+search() ->
     Places = places(os:getenv("FAULTCHECK_LIB_DIR")),
     case [File || Dir <- Places, File <- [filename:join(Dir, ?LIBRARY)], filelib:is_file(File)] of
         [File | _] -> File;

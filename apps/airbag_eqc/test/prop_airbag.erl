@@ -61,7 +61,7 @@ prop_explodes_without_faults() ->
         {Changes, Messages},
         {oneof(variants()), list(?SUCHTHAT([X, _], [byte(), 170], X =/= 85))},
         begin
-            Options = airbag_options:new(Changes#{max_faults => 0}),
+            Options = airbag_options:new(Changes#{faults => []}),
             ok = airbag_eqc:begin_test(Options),
             Commands = numbered([{sensor, [M]} || M <- Messages] ++ [{explosion, [[85, 170]]}]),
             {_, _, Result} = Run = run_commands(airbag_eqc, Commands),

@@ -1,0 +1,274 @@
+%% @doc The experiments of Paper I, section 5, repeated: `make airbag-report'.
+%%
+%% Writes airbag.md and its charts. Everything runs in OS processes of its own (transport port), two
+%% at a time, and goes on where it ended when it was interrupted: finished chunks are kept in
+%% state files that name the code they belong to.
+-module(airbag_report).
+
+-export([main/1, run/2, settings/0]).
+-export_type([settings/0]).
+
+-type settings() :: #{
+    seeds := pos_integer(),
+    tests := pos_integer(),
+    coverage_tests := pos_integer(),
+    flips := 1..4,
+    workers := pos_integer(),
+    progress := fun((faultcheck_enumerate:progress()) -> term())
+}.
+
+-define(PAPER, "Paper I: B. Vedder, licentiate thesis, section 5").
+
+%% @doc Writes the report into a directory and ends the VM.
+-spec main([file:filename()]) -> no_return().
+main([Dir]) ->
+    try
+        ok = run(Dir, settings()),
+        halt(0)
+    catch
+        error:{cb, Reason} -> fail(cb_error:format(Reason));
+        throw:{enumeration, Reason} -> fail(faultcheck_enumerate:format_error(Reason))
+    end.
+
+-spec fail(unicode:chardata()) -> no_return().
+fail(Line) ->
+    io:format(standard_error, "airbag-report: ~ts~n", [Line]),
+    halt(3).
+
+%% @doc What `make airbag-report' runs.
+-spec settings() -> settings().
+settings() ->
+    #{
+        seeds => 100,
+        tests => 100000,
+        coverage_tests => 2000,
+        flips => 4,
+        workers => min(2, erlang:system_info(schedulers_online)),
+        progress => fun faultcheck_enumerate:print_progress/1
+    }.
+
+%% @doc Runs all experiments and writes the report.
+-spec run(file:filename(), settings()) -> ok.
+run(Dir, Settings) ->
+    {ok, _} = application:ensure_all_started(c_bridge),
+    ok = application:set_env(airbag_eqc, transport, port),
+    Charts = filename:join(Dir, "airbag"),
+    ok = filelib:ensure_dir(filename:join([Charts, "state", "x"])),
+    Context = Settings#{charts => Charts, code => fingerprint()},
+    Text = [
+        title(Settings),
+        first_failures(Context),
+        long_runs(Context),
+        exhaustive(Context),
+        coverage(Context)
+    ],
+    ok = file:write_file(filename:join(Dir, "airbag.md"), Text),
+    remove_states(Charts).
+
+%% Results are kept only for the code that gave them.
+fingerprint() ->
+    Libraries = filelib:wildcard(filename:join(filename:dirname(airbag_sut:library()), "*.so")),
+    Files = [element(2, {ok, _} = file:read_file(F)) || F <- lists:sort(Libraries)],
+    Modules = [M:module_info(md5) || M <- [airbag_eqc, airbag_experiment, faultcheck_generator]],
+    binary:encode_unsigned(erlang:phash2({Files, Modules}, 1 bsl 32)).
+
+remove_states(Charts) ->
+    State = filename:join(Charts, "state"),
+    _ = [ok = file:delete(F) || F <- filelib:wildcard(filename:join(State, "*"))],
+    file:del_dir(State).
+
+enumeration(Name, #{workers := Workers, progress := Progress, charts := Charts, code := Code}) ->
+    #{
+        name => {Name, Code},
+        workers => Workers,
+        state_file => filename:join([Charts, "state", Name]),
+        progress => fun(P) -> Progress(P#{name := list_to_atom(Name)}) end,
+        progress_ms => 5000
+    }.
+
+done({ok, Result}) -> Result;
+done({error, Reason}) -> throw({enumeration, Reason}).
+
+chart(Name, Svg, Alt, #{charts := Charts}) ->
+    ok = file:write_file(filename:join(Charts, Name ++ ".svg"), Svg),
+    io_lib:format("![~ts](airbag/~s.svg)\n\n", [Alt, Name]).
+
+title(#{seeds := Seeds, tests := Tests}) ->
+    io_lib:format(
+        "# The airbag's experiments\n\n"
+        "The experiments of ~s, repeated with ~b seeds and ~b tests. Test sizes go through\n"
+        "1 to 42 again and again; faults are permanent and at most four in a test.\n\n",
+        [?PAPER, Seeds, Tests]
+    ).
+
+%% ---- tests until the first failure ----------------------------------------------------------
+
+first_failures(#{seeds := Seeds} = Context) ->
+    Experiments = [
+        {"byte-2", "byte, 2 needed", "about 1000 tests", #{generator => byte}},
+        {"byte-1", "byte, 1 needed", "fewer than 50", #{generator => byte, needed => 1}},
+        {"focused-2", "focused, 2 needed", "fewer than 50, most of the time",
+            #{generator => focused}}
+    ],
+    Rows = [{Label, Paper, numbers(Name, Changes, Context)}
+            || {Name, Label, Paper, Changes} <- Experiments],
+    Curves = [{Label, curve(Numbers, Seeds)} || {Label, _, Numbers} <- Rows],
+    Svg = faultcheck_chart:steps(#{
+        title => "Tests until the unprotected airbag fires without cause",
+        x_label => "tests (logarithmic)",
+        y_label => "share of seeds that failed (%)",
+        x_scale => log,
+        series => Curves
+    }),
+    [
+        "## Without protection: tests until the first failure\n\n",
+        "| generator | paper | median | quartiles | below 50 tests | seeds |\n",
+        "|---|---|---:|---:|---:|---:|\n",
+        [first_row(Row) || Row <- Rows],
+        "\n",
+        chart("first-failures", Svg, "Tests until the first failure", Context)
+    ].
+
+numbers(Name, Changes, #{seeds := Seeds} = Context) ->
+    Airbag = airbag_options:new(Changes#{protection => plain}),
+    Options = enumeration("first-" ++ Name, Context),
+    [N || {_, N} <- done(airbag_experiment:first_failures(Airbag, Seeds, Options))].
+
+first_row({Label, Paper, Numbers}) ->
+    Quantile = fun(P) -> round(airbag_experiment:quantile(P, Numbers)) end,
+    Below = 100 * length([N || N <- Numbers, N < 50]) / length(Numbers),
+    io_lib:format("| ~s | ~s | ~b | ~b to ~b | ~.1f % | ~b |\n", [
+        Label, Paper, Quantile(0.5), Quantile(0.25), Quantile(0.75), Below, length(Numbers)
+    ]).
+
+%% Share of the seeds that failed within so many tests.
+curve(Numbers, Seeds) ->
+    Sorted = lists:sort(Numbers),
+    Shares = [100 * I / Seeds || I <- lists:seq(1, length(Sorted))],
+    lists:zip(Sorted, Shares).
+
+%% ---- many tests with protection -------------------------------------------------------------
+
+long_runs(Context) ->
+    Runs = [
+        {Configuration, Generator, Flips, long_run(Configuration, Generator, Flips, Context)}
+     || Configuration <- [thesis, recommended], Generator <- [byte, focused], Flips <- [4, 2]
+    ],
+    [
+        "## With E2E profile 1: many tests\n\n",
+        "The paper found no failure in 100 000 tests. The table lists every failure found here.\n\n",
+        "| configuration | generator | bit flips | tests | failures |\n|---|---|---|---:|---|\n",
+        [long_row(Run) || Run <- Runs],
+        "\n",
+        distribution(lists:keyfind(thesis, 1, Runs), Context)
+    ].
+
+long_run(Configuration, Generator, Flips, #{tests := Tests} = Context) ->
+    Airbag = airbag_options:new(#{
+        configuration => Configuration, generator => Generator, max_flips => Flips
+    }),
+    Name = io_lib:format("e2e-~s-~s-~b", [Configuration, Generator, Flips]),
+    done(airbag_experiment:long_run(Airbag, 1, Tests, enumeration(lists:flatten(Name), Context))).
+
+long_row({Configuration, Generator, Flips, #{found := Found, done := Tests}}) ->
+    io_lib:format("| ~s | ~s | at most ~b | ~b | ~s |\n", [
+        Configuration, Generator, Flips, Tests, failures(Found)
+    ]).
+
+failures([]) -> "none";
+failures(Found) -> lists:join("; ", [failure(F) || F <- Found]).
+
+failure(#{test := Number, flips := Flips, commands := Commands}) ->
+    {set, _, {call, _, Name, [Data | _]}} = lists:last(Commands),
+    io_lib:format("test ~b: mask `~s`, ~s ~w", [
+        Number, airbag_exhaustive:hex(airbag_exhaustive:mask(Flips)), Name, Data
+    ]).
+
+distribution({_, _, _, #{counts := Counts, done := Tests}}, Context) ->
+    Of = fun(Kind) -> lists:sort([{K, N} || {{T, K}, N} <- maps:to_list(Counts), T =:= Kind]) end,
+    Lengths = Of(length),
+    Commands = lists:sum([N || {_, N} <- Of(command)]),
+    Mean = Commands / max(1, Tests),
+    [
+        "### What these tests are\n\n",
+        io_lib:format(
+            "The thesis configuration with the byte generator: ~b tests, ~.1f commands in the mean,\n"
+            "~.1f % of the tests arm at least one fault and ~.1f % arm four or more.\n\n",
+            [Tests, Mean, share(Of(faults), 1), share(Of(faults), 4)]
+        ),
+        chart("commands", bars("Commands run", "share of commands (%)", Of(command)),
+            "Commands run", Context),
+        chart("faults", histogram("Faults armed in a test", "faults", Of(faults)),
+            "Faults armed", Context),
+        chart("lengths", histogram("Lengths of the tests", "commands in a test", Lengths),
+            "Lengths", Context),
+        chart("statuses", bars("Statuses of E2E_P01Check", "share of checks (%)", Of(status)),
+            "Statuses reached", Context)
+    ].
+
+%% Per cent of the tests with a value of at least Least.
+share(Counts, Least) ->
+    100 * lists:sum([N || {K, N} <- Counts, K >= Least]) /
+        max(1, lists:sum([N || {_, N} <- Counts])).
+
+bars(Title, Label, Counts) ->
+    Sum = lists:sum([N || {_, N} <- Counts]),
+    Bars = lists:reverse(lists:keysort(2, [{atom_to_list(K), 100 * N / Sum} || {K, N} <- Counts])),
+    faultcheck_chart:bars(#{title => Title, x_label => Label, bars => Bars}).
+
+histogram(Title, Label, Counts) ->
+    faultcheck_chart:histogram(#{
+        title => Title, x_label => Label, y_label => "tests", counts => Counts
+    }).
+
+%% ---- every mask -----------------------------------------------------------------------------
+
+exhaustive(#{flips := Flips} = Context) ->
+    Runs = [
+        {"thesis, bytes 0 and 1", enumerate_masks(thesis, [0, 1], Flips, Context)},
+        {"recommended, all 4 bytes", enumerate_masks(recommended, [0, 1, 2, 3], Flips, Context)}
+    ],
+    [
+        "## Every corruption mask\n\n",
+        "Random tests could not show that nothing is left to find; enumeration can. Each mask is a\n",
+        "permanent corruption; [x,170] is sent four times, for every x but 85. Undetected: an altered\n",
+        "packet was accepted. Able: it also turns some [x,170] into [85,170].\n\n",
+        "| configuration | bits flipped | masks | undetected | able | fired |\n",
+        "|---|---:|---:|---:|---:|---:|\n",
+        [mask_rows(Label, Run) || {Label, Run} <- Runs],
+        "\nMasks that fire the airbag:\n\n",
+        "| configuration | x | mask (XOR of bytes 0 to 3) |\n|---|---:|---|\n",
+        [found_row(Label, Found) || {Label, #{found := All}} <- Runs, Found <- All],
+        "\n"
+    ].
+
+enumerate_masks(Configuration, Bytes, Flips, Context) ->
+    Options = enumeration("masks-" ++ atom_to_list(Configuration), Context),
+    done(airbag_exhaustive:run(Configuration, Bytes, Flips, Options)).
+
+mask_rows(Label, Run) ->
+    Columns = [airbag_exhaustive:table(C, Run) || C <- [masks, undetected, able, fired]],
+    [Masks | _] = Columns,
+    [
+        ["| ", Label, [io_lib:format(" | ~b", [N]) || N <- [Flips | cells(Flips, Columns)]], " |\n"]
+     || Flips <- lists:seq(0, length(Masks) - 1)
+    ].
+
+cells(Flips, Columns) -> [lists:nth(Flips + 1, Column) || Column <- Columns].
+
+found_row(Label, {X, Mask}) ->
+    io_lib:format("| ~s | ~b | `~s` |\n", [Label, X, airbag_exhaustive:hex(Mask)]).
+
+%% ---- statuses per fault class ---------------------------------------------------------------
+
+coverage(#{coverage_tests := Tests}) ->
+    Rows = [
+        {Class, Configuration, airbag_coverage:reached(Class, Configuration, Tests)}
+     || Class <- airbag_coverage:classes(), Configuration <- [thesis, recommended]
+    ],
+    [
+        "## Statuses that each class of faults reaches\n\n",
+        io_lib:format("Checks with each result, in ~b tests a row. `make coverage` makes the\n", [Tests]),
+        "line coverage of each class, as HTML.\n\n",
+        airbag_coverage:table(Rows)
+    ].
