@@ -23,7 +23,7 @@ classes() -> [no_faults, bit_flips, repetitions].
 run(Class, Library, StatusFile) ->
     {ok, _} = application:ensure_all_started(c_bridge),
     ok = application:set_env(airbag_eqc, library, Library),
-    ok = application:set_env(airbag_eqc, transport, port),
+    ok = airbag_sut:default_transport(port),
     Rows = [{Class, C, reached(Class, C, ?TESTS)} || C <- [thesis, recommended]],
     Head = [head() || not filelib:is_file(StatusFile)],
     Foot = [["\n", note()] || Class =:= lists:last(classes())],

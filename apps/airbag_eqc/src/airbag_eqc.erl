@@ -7,13 +7,14 @@
 -module(airbag_eqc).
 -include_lib("faultcheck/include/faultcheck.hrl").
 
--export([safe/1, begin_test/1, armed_faults/1]).
--export_type([fault/0]).
+-export([safe/1, safe/2, begin_test/1, armed_faults/1]).
+-export_type([fault/0, tell/0]).
 
 -define(CHANNEL, <<"airbag">>).
 -define(FIRE, [85, 170]).
 
 -type fault() :: {bitflip, Byte :: 0..3, Bit :: 0..7} | {repetition, 1..3}.
+-type tell() :: fun(([faultcheck_statem:command()], faultcheck_statem:run()) -> ok).
 
 -record(state, {
     faults = [] :: [fault()],
@@ -85,6 +86,13 @@ armed_faults(#state{faults = Faults}) -> Faults.
 %% @doc The property: no sequence of commands makes the airbag break its promises.
 -spec safe(airbag_options:options()) -> proper:outer_test().
 safe(Options) ->
+    safe(Options, fun(Commands, Run) ->
+        io:put_chars(faultcheck_statem:pretty(?MODULE, Commands, Run))
+    end).
+
+%% @doc The same, with what is to be told of a failure.
+-spec safe(airbag_options:options(), tell()) -> proper:outer_test().
+safe(Options, Tell) ->
     ?SETUP(
         fun() ->
             ok = airbag_options:use(Options),
@@ -93,10 +101,7 @@ safe(Options) ->
         ?FORALL(Commands, commands(?MODULE), begin
             ok = begin_test(Options),
             {_, _, Result} = Run = run_commands(?MODULE, Commands),
-            ?WHENFAIL(
-                io:put_chars(faultcheck_statem:pretty(?MODULE, Commands, Run)),
-                aggregate(command_names(Commands), Result =:= ok)
-            )
+            ?WHENFAIL(Tell(Commands, Run), aggregate(command_names(Commands), Result =:= ok))
         end)
     ).
 

@@ -1,8 +1,9 @@
 %% @doc The random experiments of Paper I: how many tests until the first failure, and what many
 %% tests reach.
 %%
-%% Test i of a seed is the same whatever ran before it. Sizes go through 1..42 again and again, as
-%% in repeated runs of PropEr's hundred tests, so the mean length is about 10.8 commands.
+%% Test i of a seed is the same whatever ran before it. Sizes go through 1..max_size again and
+%% again, as in repeated runs of a hundred tests: with PropEr's 42 the mean length is about 10.8
+%% commands.
 -module(airbag_experiment).
 
 -export([first_failures/3, long_run/4, in_state/2, test/3, quantile/2]).
@@ -21,7 +22,6 @@
 }.
 
 -define(MOST_TESTS, 100000).
--define(SIZES, 42).
 
 %% @doc For seeds 1..Seeds: tests until the first failure.
 -spec first_failures(airbag_options:options(), pos_integer(), faultcheck_enumerate:options()) ->
@@ -60,7 +60,7 @@ enumerate(What, Airbag, Space, Check, Options) ->
 
 %% PropEr's generators want its state in the process.
 start(Airbag) ->
-    ok = proper:global_state_init_size(?SIZES),
+    ok = proper:global_state_init_size(maps:get(max_size, Airbag)),
     ok = airbag_eqc:begin_test(Airbag),
     [_] = airbag_sut:calls([{airbag_clear_statuses, []}]),
     ok.
@@ -85,11 +85,11 @@ in_state(Airbag, Fun) ->
 test(Airbag, Seed, Number) ->
     _ = rand:seed(exsss, Seed bsl 32 + Number),
     ok = airbag_options:use(Airbag),
-    {Commands, _} = faultcheck_generator:generate(airbag_eqc, size_of(Number)),
+    {Commands, _} = faultcheck_generator:generate(airbag_eqc, size_of(Number, Airbag)),
     ok = airbag_sut:begin_test(Airbag),
     {Commands, faultcheck_statem:run_commands(airbag_eqc, Commands)}.
 
-size_of(Number) -> (Number - 1) rem ?SIZES + 1.
+size_of(Number, #{max_size := Most}) -> (Number - 1) rem Most + 1.
 
 %% ---- what a test reached --------------------------------------------------------------------
 

@@ -21,7 +21,9 @@
     %% which commands that inject faults are generated, and how many in all
     faults := [bit_flip | repetition],
     max_faults := non_neg_integer(),
-    max_flips := non_neg_integer()
+    max_flips := non_neg_integer(),
+    %% of the sequences in an experiment: sizes go through 1..max_size
+    max_size := pos_integer()
 }.
 
 %% @doc The options of the paper's last experiment, changed by those given.
@@ -43,7 +45,8 @@ defaults() ->
         fault_list => cleared,
         faults => [bit_flip, repetition],
         max_faults => 4,
-        max_flips => 4
+        max_flips => 4,
+        max_size => 42
     }.
 
 valid(protection, V) -> lists:member(V, [plain, e2e]);
@@ -53,7 +56,8 @@ valid(needed, V) -> is_integer(V) andalso V > 0;
 valid(fault_list, V) -> lists:member(V, [cleared, paper]);
 valid(faults, V) -> is_list(V) andalso V -- [bit_flip, repetition] =:= [];
 valid(max_faults, V) -> is_integer(V) andalso V >= 0;
-valid(max_flips, V) -> is_integer(V) andalso V >= 0.
+valid(max_flips, V) -> is_integer(V) andalso V >= 0;
+valid(max_size, V) -> is_integer(V) andalso V > 0.
 
 %% @doc Makes the options those of the calling process.
 -spec use(options()) -> ok.

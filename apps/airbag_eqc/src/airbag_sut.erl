@@ -3,11 +3,12 @@
 %% Each process has one instance: begin_test/1 starts it when there is none, and from then on
 %% resets it by calls of its own initialisers. It ends with its process.
 %%
-%% Environment of the application: `transport' (nif; a runner may force another) and `library', the
-%% file where it is not to be searched for.
+%% Environment of the application: `transport', and `library', the file where it is not to be
+%% searched for.
 -module(airbag_sut).
 
--export([begin_test/1, calls/1, value_of/1, flush_coverage/0, stop/0, library/0]).
+-export([begin_test/1, calls/1, value_of/1, flush_coverage/0, stop/0]).
+-export([default_transport/1, library/0]).
 -export_type([call/0]).
 
 -type call() :: {atom(), [term()]}.
@@ -80,6 +81,11 @@ stop() ->
         undefined -> ok;
         {_, Sut} -> cb:stop(Sut)
     end.
+
+%% @doc The transport where no runner asks for one. The shipped models ask for nif.
+-spec default_transport(nif | port) -> ok.
+default_transport(Transport) ->
+    application:set_env(airbag_eqc, transport, Transport).
 
 %% @doc The library file: of FAULTCHECK_LIB_DIR, of the clone, or of an installation.
 -spec library() -> file:filename().

@@ -52,7 +52,8 @@ find(Options, Seed) ->
 %% Sizes from the upper half: short sequences hold no failure. PropEr draws from the random state of
 %% this process, which it seeds before the set-up function runs.
 search(Options, Seed) ->
-    Seeded = proper:setup(fun() -> seed(Seed) end, airbag_eqc:safe(Options)),
+    Silent = airbag_eqc:safe(Options, fun(_, _) -> ok end),
+    Seeded = proper:setup(fun() -> seed(Seed) end, Silent),
     Sizes = [{numtests, ?TESTS}, {start_size, 20}, {max_size, 42}],
     Result = proper:quickcheck(Seeded, [long_result, quiet | Sizes]),
     ok = airbag_sut:stop(),
