@@ -24,6 +24,7 @@ native  header:elfutils/libdwfl.h  libdw-dev
 native  header:ffi.h             libffi-dev
 native  cmd:erl                  erlang-base
 native  erlang:erl_nif.h         erlang-dev
+vectors cxxheader:nlohmann/json.hpp  nlohmann-json3-dev
 demo    app:eunit                erlang-eunit
 demo    app:syntax_tools         erlang-syntax-tools
 demo    cmd:rebar3               rebar3
@@ -43,7 +44,7 @@ TABLE
 
 included() {
   case "$purpose" in
-    native) [ "$1" = native ] ;;
+    native) [[ $1 = native || $1 = vectors ]] ;; # the vector runner: not needed by `make demo`
     demo) [[ $1 = native || $1 = demo ]] ;;
     coverage) [[ $1 = native || $1 = demo || $1 = coverage ]] ;;
     test | all) true ;;
@@ -71,6 +72,7 @@ present() {
     cmd:*) command -v "${1#cmd:}" >/dev/null 2>&1 ;;
     header:*) echo "#include <${1#header:}>" | cc -E -x c - >/dev/null 2>&1 ;;
     app:* | erlang:*) erlang_lib_names && [[ $erlang_libs = *" ${1#*:} "* ]] ;;
+    cxxheader:*) echo "#include <${1#cxxheader:}>" | c++ -E -x c++ - >/dev/null 2>&1 ;;
     link:*)
       echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char *, unsigned long) { return 0; }' |
         clang++ "${1#link:}" -x c++ - -o /dev/null >/dev/null 2>&1 ;;
