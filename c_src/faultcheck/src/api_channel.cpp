@@ -10,7 +10,7 @@ namespace {
 using Hold = std::lock_guard<SpinLock>;
 
 int report_channel(fc_context &context, int code, const char *channel, const char *what) {
-    return report(context, code, format("channel %s: %s", quoted(channel).c_str(), what).c_str());
+    return report(context, code, format("channel %s: %s", quoted(channel).c_str(), what));
 }
 
 Channel &channel_for_put(fc_context &context, const char *id) {

@@ -15,18 +15,21 @@ struct ByteSpan {
     std::size_t size;
 };
 
+// The unsigned integer of a type's size.
+template <std::size_t Size> struct Word;
+template <> struct Word<1> { using Type = std::uint8_t; };
+template <> struct Word<2> { using Type = std::uint16_t; };
+template <> struct Word<4> { using Type = std::uint32_t; };
+template <> struct Word<8> { using Type = std::uint64_t; };
+
 template <class T> void flip_bit(T *value, int bit) {
     if constexpr (std::is_same_v<T, bool>) {
         *value = !*value;
     } else {
-        unsigned char bytes[sizeof(T)];
-        std::memcpy(bytes, value, sizeof(T));
-#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-        bytes[bit / 8] ^= static_cast<unsigned char>(1u << bit % 8);
-#else
-        bytes[sizeof(T) - 1 - bit / 8] ^= static_cast<unsigned char>(1u << bit % 8);
-#endif
-        std::memcpy(value, bytes, sizeof(T));
+        typename Word<sizeof(T)>::Type word;
+        std::memcpy(&word, value, sizeof word);
+        word = static_cast<decltype(word)>(word ^ std::uint64_t{1} << bit);
+        std::memcpy(value, &word, sizeof word);
     }
 }
 

@@ -13,7 +13,7 @@ using Hold = std::lock_guard<SpinLock>;
 int report_refusal(fc_context &context, const char *kind, const char *id, int code,
                    const char *why) {
     return report(context, code,
-                  format("%s %s: %s, fault not added", kind, quoted(id).c_str(), why).c_str());
+                  format("%s %s: %s, fault not added", kind, quoted(id).c_str(), why));
 }
 
 // Later trigger calls for the identifier must not hit an older fault.
@@ -113,14 +113,12 @@ int report_no_latest(fc_context &context, Space space, const char *id) {
     return report(context, FC_E_NO_FAULT,
                   format("%s %s: there is no latest fault to change; it has none, or the one added "
                          "last was refused",
-                         kind, quoted(id).c_str())
-                      .c_str());
+                         kind, quoted(id).c_str()));
 }
 
 int report_no_fault(fc_context &context, fc_fault_id id) {
-    return report(
-        context, FC_E_NO_FAULT,
-        format("there is no fault %lld in this context", static_cast<long long>(id)).c_str());
+    return report(context, FC_E_NO_FAULT,
+                  format("there is no fault %lld in this context", static_cast<long long>(id)));
 }
 
 template <class Faults> auto find_in(Faults &faults, fc_fault_id id) {
@@ -213,12 +211,10 @@ fc_fault_id add_channel_fault(fc_context &context, const char *channel, const Ch
 fc_fault_id add_bitflip(fc_context &context, const char *id, std::int64_t bit, std::int64_t most) {
     Model model{ModelKind::bitflip};
     model.bit = bit;
-    const bool good = bit >= 0 && bit <= most;
-    return add_probe_fault(context, id, model, good ? FC_OK : FC_E_BIT,
-                           good ? ""
-                                : format("bit %lld is not one of 0..%lld",
-                                         static_cast<long long>(bit), static_cast<long long>(most))
-                                      .c_str());
+    const Text why = format("bit %lld is not one of 0..%lld", static_cast<long long>(bit),
+                            static_cast<long long>(most));
+    return add_probe_fault(context, id, model, bit >= 0 && bit <= most ? FC_OK : FC_E_BIT,
+                           why.c_str());
 }
 
 fc_fault_id latest_fault(fc_context &context, Space space, const char *id) {

@@ -63,23 +63,28 @@ int apply(const ChannelModel &model, FaultRun &run, Transit &transit) {
     return FC_E_ARG;
 }
 
-std::string why_skipped(const Channel &channel, const ChannelFault &fault, std::size_t size) {
+Text why_skipped(const Channel &channel, const ChannelFault &fault, std::size_t size) {
     return format(
         "channel %s, fault %lld: corruption of byte %lld skipped, the packet has %zu bytes",
-        quoted(channel.name.text()).c_str(), static_cast<long long>(fault.id),
+        quoted(channel.name.text().c_str()).c_str(), static_cast<long long>(fault.id),
         static_cast<long long>(fault.model.index), size);
 }
 
 void walk_faults(Channel &channel, std::size_t receiver, Transit &transit, Reports &reports) {
     for (ChannelFault &fault : channel.faults) {
         FaultRun &run = fault.runs[receiver];
-        if (!run.advance(fault.enabled) || !transit.present)
+        if (!run.advance(fault.enabled))
             continue;
+        if (!transit.present) {
+            ++run.counts.idle;
+            continue;
+        }
         const int code = apply(fault.model, run, transit);
-        run.count(code);
-        if (code != FC_OK)
-            reports.add(code, fault.id, fault.meets(code),
-                        why_skipped(channel, fault, transit.current.size()));
+        if (code == FC_OK)
+            continue;
+        run.count_skipped(code);
+        reports.add(code, fault.id, fault.meets(code),
+                    why_skipped(channel, fault, transit.current.size()));
     }
 }
 
@@ -116,7 +121,7 @@ int need_space(const Channel &channel, std::size_t needed, std::size_t capacity,
         *len = needed;
     reports.add(FC_E_SPACE, 0, true,
                 format("channel %s: a packet of %zu bytes does not fit a buffer of %zu",
-                       quoted(channel.name.text()).c_str(), needed, capacity));
+                       quoted(channel.name.text().c_str()).c_str(), needed, capacity));
     return FC_E_SPACE;
 }
 

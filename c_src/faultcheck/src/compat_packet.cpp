@@ -15,8 +15,7 @@ void change_latest(const char *id, const TriggerChange &change) {
 }
 
 void refuse(const char *id, const char *what) {
-    fc::report(*fc_default(), FC_E_ARG,
-               fc::format("channel %s: %s", fc::quoted(id).c_str(), what).c_str());
+    fc::report(*fc_default(), FC_E_ARG, fc::format("channel %s: %s", fc::quoted(id).c_str(), what));
 }
 
 } // namespace

@@ -107,21 +107,23 @@ fc_context *fc_new(const fc_options *options) {
     const fc_options defaults = FC_OPTIONS_INIT;
     const fc_options &chosen = options != nullptr ? *options : defaults;
     if (chosen.size != sizeof(fc_options)) {
-        fc::report(*fc_default(), FC_E_ARG,
-                   "fc_new: options->size is not sizeof(fc_options), use FC_OPTIONS_INIT");
+        fc::report(
+            *fc_default(), FC_E_ARG,
+            fc::format("fc_new: options->size is not sizeof(fc_options), use FC_OPTIONS_INIT"));
         return nullptr;
     }
     try {
         return new fc_context(chosen);
     } catch (const std::bad_alloc &) {
-        fc::report(*fc_default(), FC_E_NOMEM, "fc_new: out of memory");
+        fc::report(*fc_default(), FC_E_NOMEM, fc::format("fc_new: out of memory"));
         return nullptr;
     }
 }
 
 void fc_free(fc_context *ctx) {
     if (ctx != nullptr && ctx == fc::default_context.load())
-        fc::report(*ctx, FC_E_ARG, "fc_free: the default context cannot be freed, use fc_reset");
+        fc::report(*ctx, FC_E_ARG,
+                   fc::format("fc_free: the default context cannot be freed, use fc_reset"));
     else
         delete ctx;
 }

@@ -72,7 +72,7 @@ template <class Work> auto guarded(fc_context &context, Work work) -> decltype(w
     try {
         return work();
     } catch (const std::bad_alloc &) {
-        return report(context, FC_E_NOMEM, "out of memory, the call had no effect");
+        return report_no_memory(context);
     }
 }
 

@@ -10,9 +10,13 @@ namespace fc {
 
 struct FaultCounts {
     std::uint64_t triggered = 0;
-    std::uint64_t applied = 0;
-    std::uint64_t skipped = 0;
+    std::uint64_t skipped = 0; // of those
+    std::uint64_t idle = 0;    // of those: there was no packet
     int last_error = FC_OK;
+
+    std::uint64_t applied() const {
+        return triggered - skipped - idle;
+    }
 };
 
 // What advances call by call. A get-stage channel fault has one for each receiver, any other fault
@@ -36,14 +40,9 @@ struct FaultRun {
         return true;
     }
 
-    // The outcome of applying: FC_OK or why it was skipped.
-    void count(int code) {
-        if (code == FC_OK) {
-            ++counts.applied;
-        } else {
-            ++counts.skipped;
-            counts.last_error = code;
-        }
+    void count_skipped(int code) {
+        ++counts.skipped;
+        counts.last_error = code;
     }
 };
 

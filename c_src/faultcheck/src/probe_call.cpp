@@ -11,8 +11,8 @@ namespace {
 const char *const kTypeNames[kTypeCount] = {"f32", "f64", "i8",  "i16", "i32",  "i64",
                                             "u8",  "u16", "u32", "u64", "bool", "bytes"};
 
-std::string why_skipped(const Probe &probe, const ProbeFault &fault, fc_type type, int code) {
-    const std::string name = quoted(probe.name.text());
+Text why_skipped(const Probe &probe, const ProbeFault &fault, fc_type type, int code) {
+    const Text name = quoted(probe.name.text().c_str());
     const auto id = static_cast<long long>(fault.id);
     switch (code) {
     case FC_E_BIT:
@@ -27,70 +27,87 @@ std::string why_skipped(const Probe &probe, const ProbeFault &fault, fc_type typ
     }
 }
 
+// Out of the way of the calls that go well.
+__attribute__((noinline, cold)) void note_skipped(const Probe &probe, ProbeFault &fault,
+                                                  fc_type type, int code, Reports &reports) {
+    fault.run.count_skipped(code);
+    reports.add(code, fault.id, fault.meets(code), why_skipped(probe, fault, type, code));
+}
+
 // Under the probe's lock.
 template <class T> void walk_faults(Probe &probe, T *value, Reports &reports) {
-    constexpr fc_type type = TypeOf<T>::value;
     for (ProbeFault &fault : probe.faults) {
         if (!fault.run.advance(fault.enabled))
             continue;
         const int code = apply(fault.model, fault.run.state, fault.random, value);
-        fault.run.count(code);
         if (code != FC_OK)
-            reports.add(code, fault.id, fault.meets(code), why_skipped(probe, fault, type, code));
+            note_skipped(probe, fault, TypeOf<T>::value, code, reports);
     }
 }
 
-// The first call of an identifier with a type: it is listed from now on.
-Probe &see(fc_context &context, Probe *known, const Name &name, fc_type type) {
+int deliver(fc_context &context, const Reports &reports) {
+    reports.deliver(context);
+    return reports.code();
+}
+
+int report_null(fc_context &context, const char *id) {
+    return report(context, FC_E_ARG, format("probe %s: value is NULL", quoted(id).c_str()));
+}
+
+// The identifier is listed from now on.
+Probe &see(fc_context &context, Probe *known, const char *id, fc_type type) {
     const std::lock_guard<std::mutex> hold(context.arming);
-    Probe &probe = known != nullptr ? *known : context.probe(name);
+    Probe &probe = known != nullptr ? *known : context.probe(read_name(id));
     probe.listed = true;
     probe.state[type].fetch_and(static_cast<std::uint8_t>(~Probe::kUnseen),
                                 std::memory_order_relaxed);
     return probe;
 }
 
-template <class T> int probe_known(fc_context &context, Probe &probe, T *value) {
-    Reports reports;
-    {
-        const std::lock_guard<SpinLock> hold(probe.lock);
-        if (!probe.faults.empty())
-            ++probe.calls;
-        walk_faults(probe, value, reports);
-    }
-    if (reports.empty())
-        return FC_OK;
-    reports.deliver(context);
-    return reports.code();
-}
-
 } // namespace
 
-template <class T> int probe_slowly(fc_context &context, Probe *known, const Name &name, T *value) {
-    constexpr fc_type type = TypeOf<T>::value;
-    return guarded(context, [&]() -> int {
-        if (value == nullptr)
-            return report(context, FC_E_ARG,
-                          format("probe %s: value is NULL", quoted(name.bytes).c_str()).c_str());
-        Probe *probe = known;
-        if (probe == nullptr ||
-            (probe->state[type].load(std::memory_order_relaxed) & Probe::kUnseen) != 0)
-            probe = &see(context, known, name, type);
-        return probe_known(context, *probe, value);
-    });
+template <class T> int probe_armed(fc_context &context, Probe &probe, T *value) {
+    if (value == nullptr)
+        return report_null(context, probe.name.text().c_str());
+    try {
+        Reports reports;
+        {
+            const std::lock_guard<SpinLock> hold(probe.lock);
+            if (!probe.faults.empty())
+                ++probe.calls;
+            walk_faults(probe, value, reports);
+        }
+        return reports.empty() ? FC_OK : deliver(context, reports);
+    } catch (const std::bad_alloc &) {
+        return report_no_memory(context);
+    }
 }
 
-template int probe_slowly(fc_context &, Probe *, const Name &, float *);
-template int probe_slowly(fc_context &, Probe *, const Name &, double *);
-template int probe_slowly(fc_context &, Probe *, const Name &, std::int8_t *);
-template int probe_slowly(fc_context &, Probe *, const Name &, std::int16_t *);
-template int probe_slowly(fc_context &, Probe *, const Name &, std::int32_t *);
-template int probe_slowly(fc_context &, Probe *, const Name &, std::int64_t *);
-template int probe_slowly(fc_context &, Probe *, const Name &, std::uint8_t *);
-template int probe_slowly(fc_context &, Probe *, const Name &, std::uint16_t *);
-template int probe_slowly(fc_context &, Probe *, const Name &, std::uint32_t *);
-template int probe_slowly(fc_context &, Probe *, const Name &, std::uint64_t *);
-template int probe_slowly(fc_context &, Probe *, const Name &, bool *);
-template int probe_slowly(fc_context &, Probe *, const Name &, ByteSpan *);
+template <class T> int probe_unseen(fc_context &context, Probe *known, const char *id, T *value) {
+    if (value == nullptr)
+        return report_null(context, id);
+    try {
+        return probe_armed(context, see(context, known, id, TypeOf<T>::value), value);
+    } catch (const std::bad_alloc &) {
+        return report_no_memory(context);
+    }
+}
+
+#define FC_PROBE_TYPE(T)                                                                           \
+    template int probe_armed(fc_context &, Probe &, T *);                                          \
+    template int probe_unseen(fc_context &, Probe *, const char *, T *)
+
+FC_PROBE_TYPE(float);
+FC_PROBE_TYPE(double);
+FC_PROBE_TYPE(std::int8_t);
+FC_PROBE_TYPE(std::int16_t);
+FC_PROBE_TYPE(std::int32_t);
+FC_PROBE_TYPE(std::int64_t);
+FC_PROBE_TYPE(std::uint8_t);
+FC_PROBE_TYPE(std::uint16_t);
+FC_PROBE_TYPE(std::uint32_t);
+FC_PROBE_TYPE(std::uint64_t);
+FC_PROBE_TYPE(bool);
+FC_PROBE_TYPE(ByteSpan);
 
 } // namespace fc

@@ -5,16 +5,24 @@
 
 namespace fc {
 
-// known: the identifier's record, or null when it has none yet.
-template <class T> int probe_slowly(fc_context &context, Probe *known, const Name &name, T *value);
+// The first call of an identifier with a type. known: its record, or null when it has none yet.
+template <class T> int probe_unseen(fc_context &context, Probe *known, const char *id, T *value);
+
+// A call on an identifier that has faults.
+template <class T> int probe_armed(fc_context &context, Probe &probe, T *value);
 
 template <class T> inline int probe_by_name(fc_context *ctx, const char *id, T *value) {
     fc_context &context = context_of(ctx);
     const Name name = read_name(id);
     Probe *probe = context.probes.find(name);
-    if (probe != nullptr && probe->state[TypeOf<T>::value].load(std::memory_order_relaxed) == 0)
+    if (probe == nullptr)
+        return probe_unseen(context, probe, id, value);
+    const std::uint8_t state = probe->state[TypeOf<T>::value].load(std::memory_order_relaxed);
+    if (state == 0)
         return FC_OK;
-    return probe_slowly(context, probe, name, value);
+    if ((state & Probe::kUnseen) != 0)
+        return probe_unseen(context, probe, id, value);
+    return probe_armed(context, *probe, value);
 }
 
 } // namespace fc

@@ -4,6 +4,7 @@
 
 #include <cstdarg>
 #include <cstdio>
+#include <new>
 
 namespace fc {
 
@@ -34,46 +35,66 @@ void deliver(fc_context &context, const fc_error &error) {
 
 } // namespace
 
-void Reports::add(int code, fc_fault_id fault, bool first, std::string text) {
-    reports_.push_back({code, fault, first, std::move(text)});
+void Reports::add(int code, fc_fault_id fault, bool first, const Text &text) noexcept {
+    try {
+        if (reports_ == nullptr)
+            reports_ = std::make_unique<std::vector<Report>>();
+        reports_->push_back({code, fault, first, text});
+    } catch (const std::bad_alloc &) {
+        ++lost_;
+    }
+}
+
+int Reports::code() const {
+    if (reports_ != nullptr && !reports_->empty())
+        return reports_->front().code;
+    return lost_ > 0 ? FC_E_NOMEM : FC_OK;
 }
 
 void Reports::deliver(fc_context &context) const {
-    for (const Report &entry : reports_)
-        fc::deliver(context, {entry.code, entry.fault, entry.first, entry.text.c_str()});
+    if (reports_ != nullptr)
+        for (const Report &entry : *reports_)
+            fc::deliver(context, {entry.code, entry.fault, entry.first, entry.text.c_str()});
+    if (lost_ > 0)
+        report(context, FC_E_NOMEM,
+               format("out of memory while reporting %zu skipped faults", lost_));
 }
 
-int report(fc_context &context, int code, const char *text) {
-    deliver(context, {code, 0, 1, text});
+int report(fc_context &context, int code, const Text &text) {
+    deliver(context, {code, 0, 1, text.c_str()});
     return code;
 }
 
-std::string quoted(const std::string &identifier) {
+int report_no_memory(fc_context &context) {
+    return report(context, FC_E_NOMEM, format("out of memory, the call had no effect"));
+}
+
+Text quoted(const char *identifier) {
     constexpr std::size_t kMost = 60;
-    std::string text = "\"";
-    for (std::size_t at = 0; at < identifier.size() && at < kMost; ++at) {
-        const auto byte = static_cast<unsigned char>(identifier[at]);
+    Text text;
+    char *out = text.chars;
+    *out++ = '"';
+    const char *in = identifier == nullptr ? "" : identifier;
+    for (std::size_t at = 0; at < kMost && *in != '\0'; ++at, ++in) {
+        const auto byte = static_cast<unsigned char>(*in);
         if (byte < 0x20 || byte == 0x7f)
-            text += format("\\x%02x", byte);
+            out += std::snprintf(out, 5, "\\x%02x", byte);
         else if (byte == '"' || byte == '\\')
-            (text += '\\') += identifier[at];
+            *out++ = '\\', *out++ = *in;
         else
-            text += identifier[at];
+            *out++ = *in;
     }
-    return text + (identifier.size() > kMost ? "...\"" : "\"");
+    std::snprintf(out, 5, "%s", *in == '\0' ? "\"" : "...\"");
+    return text;
 }
 
-std::string quoted(const char *identifier) {
-    return quoted(std::string(identifier == nullptr ? "" : identifier));
-}
-
-std::string format(const char *pattern, ...) {
-    char line[300];
+Text format(const char *pattern, ...) {
+    Text text;
     va_list arguments;
     va_start(arguments, pattern);
-    std::vsnprintf(line, sizeof line, pattern, arguments);
+    std::vsnprintf(text.chars, sizeof text.chars, pattern, arguments);
     va_end(arguments);
-    return line;
+    return text;
 }
 
 } // namespace fc

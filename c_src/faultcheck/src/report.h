@@ -3,44 +3,52 @@
 
 #include "fc.h"
 
-#include <string>
+#include <memory>
 #include <vector>
 
 namespace fc {
+
+// A line of text that needs no memory from the heap: errors are told also when there is none.
+struct Text {
+    char chars[304];
+    const char *c_str() const {
+        return chars;
+    }
+};
 
 struct Report {
     int code;
     fc_fault_id fault; // 0: none
     bool first;        // this fault has not met this cause before
-    std::string text;
+    Text text;
 };
 
 // Collected while locks are held, delivered afterwards.
 class Reports {
   public:
-    void add(int code, fc_fault_id fault, bool first, std::string text);
+    void add(int code, fc_fault_id fault, bool first, const Text &text) noexcept;
     // The code of the earliest, or FC_OK.
-    int code() const {
-        return reports_.empty() ? FC_OK : reports_.front().code;
-    }
+    int code() const;
     bool empty() const {
-        return reports_.empty();
+        return reports_ == nullptr && lost_ == 0;
     }
     // Without any lock held.
     void deliver(fc_context &context) const;
 
   private:
-    std::vector<Report> reports_;
+    // Two words: a probe call that goes well pays for making this.
+    std::unique_ptr<std::vector<Report>> reports_;
+    std::size_t lost_ = 0; // for want of memory
 };
 
 // One error at once, without any lock held. Returns the code.
-int report(fc_context &context, int code, const char *text);
+int report(fc_context &context, int code, const Text &text);
+
+int report_no_memory(fc_context &context);
 
 // An identifier in a message: quoted, control characters escaped, long ones cut.
-std::string quoted(const std::string &identifier);
-std::string quoted(const char *identifier);
+Text quoted(const char *identifier);
 
-// A formatted line, cut at 300 characters.
-__attribute__((format(printf, 1, 2))) std::string format(const char *pattern, ...);
+__attribute__((format(printf, 1, 2))) Text format(const char *pattern, ...);
 
 } // namespace fc

@@ -1,0 +1,55 @@
+/* fc_bench.c: what a probe and a channel cost. */
+#include "faultcheck_packet_wrapper.h"
+#include "faultcheck_wrapper.h"
+#include "slices.h"
+
+#include <stdint.h>
+
+static int sink;
+
+static void idle_by_name(long count) {
+    int value = 5;
+    for (long i = 0; i < count; i++)
+        faultcheck_injectFaultInt("S2val", &value);
+    sink = value;
+}
+
+static void active_by_name(long count) {
+    int value = 5;
+    for (long i = 0; i < count; i++)
+        faultcheck_injectFaultInt("S1val", &value);
+    sink = value;
+}
+
+static void put_and_get(long count) {
+    char packet[4] = {1, 2, 3, 4};
+    int len;
+    for (long i = 0; i < count; i++) {
+        faultcheck_packet_addPacket("airbag", packet, sizeof packet);
+        faultcheck_packet_getPacket("airbag", packet, &len);
+    }
+    sink = packet[0];
+}
+
+/* The least a lookup by name can cost: FNV-1a over the identifier, nothing else. */
+static void hash_of_name(long count) {
+    static const char *volatile name = "S2val";
+    uint64_t sum = 0;
+    for (long i = 0; i < count; i++) {
+        uint64_t hash = 0xcbf29ce484222325u;
+        for (const char *at = name; *at != '\0'; at++)
+            hash = (hash ^ (unsigned char)*at) * 0x100000001b3u;
+        sum += hash;
+    }
+    sink = (int)sum;
+}
+
+int main(void) {
+    bench_pin();
+    double hash_ns = bench_ns(hash_of_name);
+    faultcheck_addFaultBitFlip("S1val", 3);
+    bench_print("probe_idle_name_ns", bench_ns(idle_by_name), "ns", "hash_of_name_ns", hash_ns);
+    bench_print("probe_active_name_ns", bench_ns(active_by_name), "ns", "hash_of_name_ns", hash_ns);
+    bench_print("packet_ns", bench_ns(put_and_get), "ns", "hash_of_name_ns", hash_ns);
+    return 0;
+}

@@ -1,0 +1,16 @@
+# Only the public functions may be visible: cmake -DNM=nm -DLIBRARY=file -P exports.cmake
+execute_process(COMMAND "${NM}" -D --defined-only --format=posix "${LIBRARY}"
+  OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
+string(REPLACE "\n" ";" lines "${listing}")
+set(count 0)
+foreach(line IN LISTS lines)
+  string(REGEX MATCH "^[^ ]+" symbol "${line}")
+  if(symbol MATCHES "^(fc|faultcheck)_[A-Za-z0-9_]+$")
+    math(EXPR count "${count} + 1")
+  elseif(NOT symbol STREQUAL "")
+    message(SEND_ERROR "${LIBRARY} exports ${symbol}, which is not public")
+  endif()
+endforeach()
+if(count LESS 50)
+  message(SEND_ERROR "${LIBRARY} exports ${count} public functions only")
+endif()

@@ -1,0 +1,212 @@
+// An allocation that fails: FC_E_NOMEM, and nothing has changed. Idle probes allocate nothing.
+//
+// The library takes its memory from operator new, which this program replaces.
+#include "errors.h"
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+long allocations = 0;
+long fail_at = -1; // the allocation that fails, counted from now; -1: none
+
+void *allocate(std::size_t size, std::size_t alignment) {
+    ++allocations;
+    if (fail_at >= 0 && fail_at-- == 0)
+        throw std::bad_alloc();
+    void *memory = nullptr;
+    if (posix_memalign(&memory, alignment < sizeof(void *) ? sizeof(void *) : alignment,
+                       size == 0 ? 1 : size) != 0)
+        throw std::bad_alloc();
+    return memory;
+}
+
+} // namespace
+
+void *operator new(std::size_t size) {
+    return allocate(size, 16);
+}
+void *operator new[](std::size_t size) {
+    return allocate(size, 16);
+}
+void *operator new(std::size_t size, std::align_val_t alignment) {
+    return allocate(size, static_cast<std::size_t>(alignment));
+}
+void *operator new[](std::size_t size, std::align_val_t alignment) {
+    return allocate(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void *memory) noexcept {
+    std::free(memory);
+}
+void operator delete[](void *memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void *memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void *memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void *memory, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void *memory, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void *memory, std::size_t, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void *memory, std::size_t, std::align_val_t) noexcept {
+    std::free(memory);
+}
+
+namespace {
+
+// Runs work once for every allocation it makes, that one failing, until it goes through. work
+// returns an fc_ result.
+template <class Prepare, class Work, class Unchanged>
+int fail_each(Prepare prepare, Work work, Unchanged unchanged) {
+    for (int failing = 0; failing < 100; ++failing) {
+        fc_context *ctx = fc_new(nullptr);
+        errors_start(ctx);
+        prepare(ctx);
+        fail_at = failing;
+        const long long result = work(ctx);
+        const bool failed = fail_at < 0;
+        fail_at = -1;
+        if (failed) {
+            CHECK_INT(result, FC_E_NOMEM);
+            CHECK_ERROR(FC_E_NOMEM, "memory");
+            unchanged(ctx);
+            CHECK(work(ctx) >= 0);
+        } else {
+            CHECK(result >= 0);
+            CHECK_INT(errors_seen, 0);
+        }
+        fc_free(ctx);
+        if (!failed)
+            return failing;
+    }
+    CHECK(!"a call that never succeeds");
+    return 0;
+}
+
+constexpr auto nothing = [](fc_context *) {};
+
+int32_t probe(fc_context *ctx) {
+    int32_t value = 0;
+    fc_probe_i32(ctx, "a long identifier, longer than any short string", &value);
+    return value;
+}
+
+const char *const kId = "a long identifier, longer than any short string";
+const char kPacket[] = "a packet that is longer than any short string";
+
+void adding_a_fault() {
+    const int failed = fail_each(
+        nothing, [](fc_context *ctx) { return fc_add_offset(ctx, kId, 1); },
+        [](fc_context *ctx) { CHECK_INT(probe(ctx), 0); });
+    CHECK(failed > 0);
+    fail_each([](fc_context *ctx) { fc_add_offset(ctx, kId, 10); },
+              [](fc_context *ctx) { return fc_add_offset(ctx, kId, 1); },
+              [](fc_context *ctx) { CHECK_INT(probe(ctx), 10); });
+}
+
+void the_first_probe() {
+    const int failed = fail_each(
+        nothing,
+        [](fc_context *ctx) {
+            int32_t value = 5;
+            const int result = fc_probe_i32(ctx, kId, &value);
+            CHECK_INT(value, 5);
+            return result;
+        },
+        nothing);
+    CHECK(failed > 0);
+}
+
+void a_put() {
+    const int failed = fail_each(
+        nothing, [](fc_context *ctx) { return fc_channel_put(ctx, kId, kPacket, sizeof kPacket); },
+        [](fc_context *ctx) { CHECK_INT(fc_channel_depth(ctx, kId, ""), 0); });
+    CHECK(failed > 0);
+}
+
+void a_get_through_faults() {
+    const int failed = fail_each(
+        [](fc_context *ctx) {
+            fc_channel_add_drop(ctx, kId, 1);
+            fc_channel_add_corruption(ctx, kId, 0, 0);
+            fc_channel_add_repeat(ctx, kId, 2);
+            fc_channel_put(ctx, kId, "dropped", 7);
+            fc_channel_put(ctx, kId, kPacket, sizeof kPacket);
+        },
+        [](fc_context *ctx) {
+            char data[100];
+            size_t len;
+            const int result = fc_channel_get(ctx, kId, "", data, sizeof data, &len);
+            CHECK(result != 1 || (len == sizeof kPacket && data[0] == (kPacket[0] ^ 1)));
+            return result;
+        },
+        [](fc_context *ctx) { CHECK_INT(fc_channel_depth(ctx, kId, ""), 2); });
+    CHECK(failed > 0);
+}
+
+void a_subscription() {
+    const int failed =
+        fail_each([](fc_context *ctx) { fc_channel_add_drop(ctx, kId, 1); },
+                  [](fc_context *ctx) { return fc_channel_subscribe(ctx, kId, kPacket); },
+                  [](fc_context *ctx) {
+                      CHECK_INT(fc_channel_depth(ctx, kId, kPacket), FC_E_RECEIVER);
+                      errors_seen = 0;
+                  });
+    CHECK(failed > 0);
+}
+
+void a_new_context() {
+    errors_start(nullptr);
+    for (int failing = 0; failing < 4; ++failing) {
+        fail_at = failing;
+        fc_context *ctx = fc_new(nullptr);
+        if (fail_at < 0) {
+            CHECK(ctx == nullptr);
+            CHECK_ERROR(FC_E_NOMEM, "memory");
+        }
+        fail_at = -1;
+        fc_free(ctx);
+    }
+}
+
+void quiet_calls_allocate_nothing() {
+    fc_context *ctx = fc_new(nullptr);
+    fc_add_offset(ctx, "armed", 1);
+    char data[100];
+    size_t len;
+    long before = 0;
+    for (int round = 0; round < 100; ++round) {
+        if (round == 50)
+            before = allocations;
+        probe(ctx);
+        int32_t value = 0;
+        fc_probe_i32(ctx, "armed", &value);
+        fc_channel_put(ctx, "c", kPacket, sizeof kPacket);
+        fc_channel_get(ctx, "c", "", data, sizeof data, &len);
+    }
+    CHECK_INT(allocations, before);
+    fc_free(ctx);
+}
+
+} // namespace
+
+int main() {
+    fc_default();
+    adding_a_fault();
+    the_first_probe();
+    a_put();
+    a_get_through_faults();
+    a_subscription();
+    a_new_context();
+    quiet_calls_allocate_nothing();
+    return CHECK_RESULT();
+}
