@@ -2,7 +2,7 @@
 %%
 %% A state machine: it hands out one candidate at a time, {try_, Candidate, Continue}, and is
 %% told by Continue(Verdict) whether the failure is still there. faultcheck_statem lets
-%% PropEr's shrink loop drive it; minimise/4 drives it with a function.
+%% PropEr's shrink loop drive it; minimise/5 drives it with a function.
 %%
 %%   0  confirm: the original is run again `confirm' times. If it passes once, it is flaky
 %%      and not shrunk
@@ -18,7 +18,7 @@
 %% result is minimal: no single command can be removed and no argument shrunk by one step.
 -module(faultcheck_shrinker).
 
--export([first/4, minimise/4, options/1, summary/1]).
+-export([first/4, minimise/5, options/1, summary/1]).
 -export([attempt/4, best/1]).
 -export_type([options/0, verdict/0, kind/0, step/0, summary/0, state/0, failure/0]).
 
@@ -85,12 +85,13 @@ first(Mod, Commands, Side, {Options, #{kind := Kind, at := At}}) ->
     confirm(maps:get(confirm, Options), 0, State).
 
 %% @doc Minimises with a function that runs a sequence, instead of a property: for a failure
-%% that was rebuilt from the journal of a dead VM.
--spec minimise(module(), [faultcheck_generator:command()],
+%% that was rebuilt from the journal of a dead VM. Outside a property it needs
+%% faultcheck_proper:with_state/3 around it, since arguments may be generated anew.
+-spec minimise(module(), [faultcheck_generator:command()], faultcheck_generator:side(),
                fun(([faultcheck_generator:command()]) -> verdict()), {options(), failure()}) ->
           summary().
-minimise(Mod, Commands, Run, {Options, Failure}) ->
-    drive(first(Mod, Commands, #{}, {Options, Failure}), Run).
+minimise(Mod, Commands, Side, Run, {Options, Failure}) ->
+    drive(first(Mod, Commands, Side, {Options, Failure}), Run).
 
 drive({done, Summary}, _Run) -> Summary;
 drive({try_, Imm, Continue, _}, Run) -> drive(Continue(Run(faultcheck_proper:clean(Imm))), Run).
