@@ -32,10 +32,23 @@ new_type(Generator, IsInstance, Shrinker, Neighbour) ->
     Type = proper_types:new_type([{generator, Generator},
                                   {is_instance, IsInstance},
                                   {shrinkers, [Shrinker]}], faultcheck),
-    _ = code:ensure_loaded(proper_gen_next),
-    case erlang:function_exported(proper_gen_next, set_user_nf, 2) of
+    case has_neighbours() of
         true -> apply(proper_gen_next, set_user_nf, [Type, fun(Base, _) -> Neighbour(Base) end]);
         false -> Type
+    end.
+
+%% Asked for once: looking for a module that is not there goes through the whole code path,
+%% and a nested ?FORALL makes a type for each test.
+has_neighbours() ->
+    Key = {?MODULE, has_neighbours},
+    case persistent_term:get(Key, unknown) of
+        unknown ->
+            _ = code:ensure_loaded(proper_gen_next),
+            Has = erlang:function_exported(proper_gen_next, set_user_nf, 2),
+            persistent_term:put(Key, Has),
+            Has;
+        Has ->
+            Has
     end.
 
 %% @doc Integers Lo..Hi from a generator of its own, shrunk like PropEr's.
