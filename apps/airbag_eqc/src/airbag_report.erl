@@ -126,8 +126,8 @@ first_failures(#{seeds := Seeds} = Context) ->
         "| generator | paper | median | quartiles | below 50 tests | seeds that failed |\n",
         "|---|---|---:|---:|---:|---:|\n",
         [first_row(Row) || Row <- Rows],
-        "\nThe paper does not say how long its sequences were. Here they have 10.8 commands in the mean\n",
-        "(sizes to 42, as PropEr's); longer ones fail sooner, as the last two rows show.\n\n",
+        "\nThe paper does not say how long its sequences were. Here they have 10.8 commands in\n",
+        "the mean (sizes to 42, as PropEr's); longer ones fail sooner: the last two rows.\n\n",
         chart("first-failures", Svg, "Tests until the first failure", Context)
     ].
 
@@ -159,8 +159,9 @@ long_runs(Context) ->
     ],
     [
         "## With E2E profile 1: many tests\n\n",
-        "The paper found no failure in 100 000 tests. The table lists every failure found here.\n\n",
-        "| configuration | generator | bit flips | tests | failures |\n|---|---|---|---:|---|\n",
+        "The paper found no failure in 100 000 tests. This lists every failure found here.\n\n",
+        "| configuration | generator | bit flips | tests | failures |\n",
+        "|---|---|---|---:|---|\n",
         [long_row(Run) || Run <- Runs],
         "\n",
         distribution(lists:keyfind(thesis, 1, Runs), Context)
@@ -195,8 +196,8 @@ distribution({_, _, _, #{counts := Counts, done := Tests}}, Context) ->
     [
         "### What these tests are\n\n",
         io_lib:format(
-            "The thesis configuration with the byte generator: ~b tests, ~.1f commands in the mean,\n"
-            "~.1f % of the tests arm at least one fault and ~.1f % arm four or more.\n\n",
+            "The thesis configuration with the byte generator: ~b tests, ~.1f commands in the\n"
+            "mean, ~.1f % of the tests arm at least one fault and ~.1f % arm four or more.\n\n",
             [Tests, Mean, share(Of(faults), 1), share(Of(faults), 4)]
         ),
         chart("commands", bars("Commands run", "share of commands (%)", Of(command)),
@@ -233,9 +234,10 @@ exhaustive(#{flips := Flips} = Context) ->
     ],
     [
         "## Every corruption mask\n\n",
-        "Random tests could not show that nothing is left to find; enumeration can. Each mask is a\n",
-        "permanent corruption; [x,170] is sent four times, for every x but 85. Undetected: an altered\n",
-        "packet was accepted. Able: it also turns some [x,170] into [85,170].\n\n",
+        "Random tests could not show that nothing is left to find; enumeration can. Each mask\n",
+        "is a permanent corruption; [x,170] is sent four times, for every x but 85.\n",
+        "Undetected: an altered packet was accepted. Able: it also turns some [x,170] into\n",
+        "[85,170].\n\n",
         "| configuration | bits flipped | masks | undetected | able | fired |\n",
         "|---|---:|---:|---:|---:|---:|\n",
         [mask_rows(Label, Run) || {Label, Run} <- Runs],
@@ -271,7 +273,7 @@ coverage(#{coverage_tests := Tests}) ->
     ],
     [
         "## Statuses that each class of faults reaches\n\n",
-        io_lib:format("Checks with each result, in ~b tests a row. `make coverage` makes the\n", [Tests]),
-        "line coverage of each class, as HTML.\n\n",
+        io_lib:format("Checks with each result, in ~b tests a row. `make coverage`\n", [Tests]),
+        "makes the line coverage of each class, as HTML.\n\n",
         airbag_coverage:table(Rows)
     ].

@@ -12,6 +12,7 @@
     prop_safety_one_command/0, prop_safety_one_command/1,
     prop_safety_e2e_thesis/0, prop_safety_e2e_thesis/1,
     prop_safety_e2e_recommended/0, prop_safety_e2e_recommended/1,
+    prop_safety_e2e_four_flips/0, prop_safety_e2e_four_flips/1,
     prop_explodes_without_faults/0, prop_explodes_without_faults/1,
     prop_sensor_median/0, prop_sensor_median/1
 ]).
@@ -52,6 +53,29 @@ prop_safety_e2e_recommended(doc) -> "The recommended configuration holds against
 prop_safety_e2e_recommended(opts) -> [{numtests, 500}, {transport, nif}].
 
 safe(Changes) -> airbag_eqc:safe(airbag_options:new(Changes#{protection => e2e})).
+
+%% With four flips it may fire, but only under a mask that the CRC cannot see.
+prop_safety_e2e_four_flips() ->
+    ?FORALL(
+        Configuration,
+        oneof([thesis, recommended]),
+        begin
+            Airbag = airbag_options:new(#{configuration => Configuration, generator => focused}),
+            ok = airbag_options:use(Airbag),
+            ?FORALL(Commands, commands(airbag_eqc), begin
+                ok = airbag_eqc:begin_test(Airbag),
+                {History, _, Result} = run_commands(airbag_eqc, Commands),
+                Result =:= ok orelse unseen(Configuration, element(1, lists:last(History)))
+            end)
+        end
+    ).
+
+prop_safety_e2e_four_flips(doc) -> "Only masks that the CRC cannot see fire the protected airbag";
+prop_safety_e2e_four_flips(opts) -> [{numtests, 500}, {transport, nif}].
+
+unseen(Configuration, State) ->
+    Flips = [{Byte, Bit} || {bitflip, Byte, Bit} <- airbag_eqc:armed_faults(State)],
+    airbag_test_crc:misses(Configuration, airbag_exhaustive:mask(Flips)).
 
 %% ---- without faults -------------------------------------------------------------------------
 
