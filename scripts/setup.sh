@@ -25,6 +25,7 @@ native  header:ffi.h             libffi-dev
 native  cmd:erl                  erlang-base
 native  erlang:erl_nif.h         erlang-dev
 vectors cxxheader:nlohmann/json.hpp  nlohmann-json3-dev
+vectors header:zlib.h            zlib1g-dev
 demo    app:eunit                erlang-eunit
 demo    app:syntax_tools         erlang-syntax-tools
 demo    cmd:rebar3               rebar3
@@ -149,4 +150,6 @@ run_as_root apt-get update -q >"$log" 2>&1 || true
 resolve_names
 run_as_root apt-get install -y -q --no-install-recommends "${missing[@]}" >>"$log" 2>&1 </dev/null ||
   fail "installation failed"
+# What was configured without these packages looks for them again.
+rm -f "$(dirname "$0")"/../_build/cmake/*/CMakeCache.txt
 echo "setup: done"

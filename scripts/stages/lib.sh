@@ -23,7 +23,7 @@ check() {
     passed=$((passed + 1))
   else
     failed=$((failed + 1))
-    printf 'FAILED: %s\n%s\n' "$text" "$output" | plain
+    printf 'FAILED: %s\n%s\n' "$text" "$(head -n 20 <<<"$output")" | plain
   fi
 }
 

@@ -3,9 +3,13 @@
 source "$(dirname "$0")/lib.sh"
 kind=${1:-release}
 select=()
-[ "$kind" = tsan ] && select=(-L threads)
+targets=()
+if [ "$kind" = tsan ]; then
+  select=(-L threads)
+  targets=(fc_thread_test)
+fi
 
-scripts/build_native.sh "$kind" >"$reports/build-$kind.log" 2>&1 || {
+scripts/build_native.sh "$kind" "${targets[@]}" >"$reports/build-$kind.log" 2>&1 || {
   tail -n 40 "$reports/build-$kind.log"
   echo "the $kind build failed"
   finish 1
