@@ -47,10 +47,14 @@ halt_with(Status, Line) ->
 -spec do(term()) -> {ok, term()} | {error, string()}.
 do(State) ->
     ok = code:add_pathsa(rebar_state:code_paths(State, all_deps)),
-    case options(State) of
-        {ok, Options} -> finished(run(Options, State), State);
-        {error, Line} -> halt_with(2, Line)
+    case {code:ensure_loaded(faultcheck_runner), options(State)} of
+        {{module, _}, {ok, Options}} -> finished(run(Options, State), State);
+        {_, {error, Line}} -> halt_with(2, Line);
+        {{error, _}, _} -> halt_with(2, missing())
     end.
+
+missing() ->
+    "FaultCheck is not on the code path: set ERL_LIBS to its lib/faultcheck, or run faultcheck proper".
 
 %% From the command line, then from proper_opts in rebar.config.
 options(State) ->
@@ -83,8 +87,7 @@ run(Options, State) ->
         base_dir => rebar_dir:base_dir(State),
         cover_dirs => [filename:join(rebar_app_info:out_dir(A), "ebin") || A <- apps(State)],
         command => "rebar3 proper",
-        replay => replay_command(),
-        terminal => is_terminal()
+        replay => replay_command()
     }).
 
 apps(State) -> [A || A <- rebar_state:project_apps(State), not rebar_app_info:is_checkout(A)].
@@ -113,30 +116,19 @@ compile_others(_Dirs, Places, State) ->
     ],
     lists:foreach(
         fun({Sources, Beams}) ->
-            ok = filelib:ensure_dir(filename:join(Beams, "x")),
-            All = [{outdir, Beams}, {i, Sources}, report | Includes ++ Options],
-            [compile(filename:join(Sources, F), All) || F <- filelib:wildcard("*.erl", Sources)]
+            case faultcheck_build:directory(Sources, Beams, Includes ++ Options) of
+                ok -> ok;
+                {error, Text} -> halt_with(2, Text)
+            end
         end,
         Places
     ).
-
-compile(File, Options) ->
-    case compile:file(File, Options) of
-        {ok, _} -> ok;
-        _ -> halt_with(2, "cannot compile " ++ File)
-    end.
 
 %% In a clone the program is bin/faultcheck; installed, it is on the path.
 replay_command() ->
     case filelib:is_regular("bin/faultcheck") of
         true -> "bin/faultcheck replay";
         false -> "faultcheck replay"
-    end.
-
-is_terminal() ->
-    case io:columns() of
-        {ok, _} -> true;
-        {error, _} -> false
     end.
 
 %% rebar3 knows the statuses 0 and 1 only.

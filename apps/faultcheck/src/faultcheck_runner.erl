@@ -5,7 +5,7 @@
 %% which the run goes on with the next one. `rebar3 proper' and `faultcheck proper' are the callers.
 -module(faultcheck_runner).
 
--export([run/1, replay/2]).
+-export([run/1, replay/2, report/3]).
 -export_type([request/0, outcome/0, status/0]).
 
 -type request() :: #{
@@ -169,6 +169,24 @@ replayed(#{status := Status} = Outcome, #{status := Then, reasons := Recorded}, 
     end,
     exit_status([Outcome]).
 
+%% @doc Prints a stored case, and lets its model add to its folder.
+-spec report(faultcheck_case:'case'(), file:filename(), request()) -> status().
+report(#{module := M, property := F} = Case, Dir, Request) ->
+    Shown = Case#{property := {M, F}, 'case' => Dir, replay => maps:get(replay, Request)},
+    say("~ts", [lists:join($\n, faultcheck_report:failure(Shown))], Request),
+    Job = {{M, F}, {report, Case, Dir}},
+    with_session(Request, fun(Run, Session) ->
+        case faultcheck_outcome:get(Job, context(Run), Session) of
+            {#{status := passed}, Next} ->
+                {0, Next};
+            {#{reasons := Reasons}, Next} ->
+                say("report/2 of the model: ~ts", [lists:join("; ", Reasons)], Request),
+                {3, Next};
+            {interrupted, Next} ->
+                {?INTERRUPTED, Next}
+        end
+    end).
+
 same(failed, _) -> true;
 same(_, flaky) -> true;
 same(_, _) -> false.
@@ -233,9 +251,17 @@ config(#run{request = Request, options = Options, work_dir = WorkDir}) ->
     #{
         child => maps:merge(maps:merge(Child, maps:from_list(Config)), cover(Options, Request)),
         print => printer(Request),
-        terminal => maps:get(terminal, Request, false),
+        terminal => maps:get(terminal, Request, is_terminal()),
         verbose => maps:get(verbose, Options, true)
     }.
+
+%% Whether what is printed goes to a terminal.
+is_terminal() ->
+    case file:read_link("/proc/self/fd/1") of
+        {ok, "/dev/pts/" ++ _} -> true;
+        {ok, "/dev/tty" ++ _} -> true;
+        _ -> false
+    end.
 
 cover(#{cover := true}, #{cover_dirs := Dirs, base_dir := Base}) ->
     File = filename:join([Base, "cover", "proper.coverdata"]),

@@ -88,7 +88,8 @@ loop(Watch, Info, Shown, #{child := Child} = Session) ->
             {interrupted, Session#{child := none}}
     end.
 
-midline(Text, #{config := #{verbose := Verbose}}) -> Verbose andalso binary:last(Text) =/= $\n.
+midline(Text, #{config := #{verbose := Verbose}}) ->
+    Verbose andalso binary:last(Text) =/= $\n.
 
 end_line(Shown, Session) ->
     case clear(Shown, Session) of
