@@ -4,7 +4,7 @@
 %% of it; the table of statuses comes from the airbag's own counters.
 -module(airbag_coverage).
 
--export([classes/0, run/3, reached/3, table/1]).
+-export([classes/0, run/3, reached/3, table/1, status/1]).
 -export_type([class/0, row/0]).
 
 -type class() :: no_faults | bit_flips | repetitions.
@@ -49,27 +49,39 @@ faults(repetitions) -> [repetition].
 -spec table([row()]) -> iodata().
 table(Rows) -> [head(), [row(R) || R <- Rows], "\n", note()].
 
+%% @doc The AUTOSAR name of a member of airbag_seen.
+-spec status(atom()) -> string().
+status(ok) -> "OK";
+status(no_new_data) -> "NONEWDATA";
+status(wrong_crc) -> "WRONGCRC";
+status(sync) -> "SYNC";
+status(initial) -> "INITIAL";
+status(repeated) -> "REPEATED";
+status(ok_some_lost) -> "OKSOMELOST";
+status(wrong_sequence) -> "WRONGSEQUENCE";
+status(rejected) -> "counter 15".
+
 columns() ->
     [
-        {ok, "OK"},
-        {no_new_data, "NONEWDATA"},
-        {wrong_crc, "WRONGCRC"},
-        {sync, "SYNC"},
-        {initial, "INITIAL"},
-        {repeated, "REPEATED"},
-        {ok_some_lost, "OKSOMELOST"},
-        {wrong_sequence, "WRONGSEQUENCE"},
-        {rejected, "counter 15"}
+        ok,
+        no_new_data,
+        wrong_crc,
+        sync,
+        initial,
+        repeated,
+        ok_some_lost,
+        wrong_sequence,
+        rejected
     ].
 
 head() ->
     [
-        ["| faults | configuration |", [[" ", Name, " |"] || {_, Name} <- columns()], "\n"],
+        ["| faults | configuration |", [[" ", status(S), " |"] || S <- columns()], "\n"],
         ["|---|---|", ["---:|" || _ <- columns()], "\n"]
     ].
 
 row({Class, Configuration, Seen}) ->
-    Cells = [[" ", cell(maps:get(Key, Seen)), " |"] || {Key, _} <- columns()],
+    Cells = [[" ", cell(maps:get(S, Seen)), " |"] || S <- columns()],
     ["| ", class(Class), " | ", atom_to_list(Configuration), " |", Cells, "\n"].
 
 cell(0) -> "-";

@@ -193,6 +193,8 @@ distribution({_, _, _, #{counts := Counts, done := Tests}}, Context) ->
     Lengths = Of(length),
     Commands = lists:sum([N || {_, N} <- Of(command)]),
     Mean = Commands / max(1, Tests),
+    Names = named(fun atom_to_list/1, Of(command)),
+    Statuses = named(fun airbag_coverage:status/1, Of(status)),
     [
         "### What these tests are\n\n",
         io_lib:format(
@@ -200,13 +202,13 @@ distribution({_, _, _, #{counts := Counts, done := Tests}}, Context) ->
             "mean, ~.1f % of the tests arm at least one fault and ~.1f % arm four or more.\n\n",
             [Tests, Mean, share(Of(faults), 1), share(Of(faults), 4)]
         ),
-        chart("commands", bars("Commands run", "share of commands (%)", Of(command)),
+        chart("commands", bars("Commands run", "share of commands (%)", Names),
             "Commands run", Context),
         chart("faults", histogram("Faults armed in a test", "faults", Of(faults)),
             "Faults armed", Context),
         chart("lengths", histogram("Lengths of the tests", "commands in a test", Lengths),
             "Lengths", Context),
-        chart("statuses", bars("Statuses of E2E_P01Check", "share of checks (%)", Of(status)),
+        chart("statuses", bars("Results of E2E_P01Check", "share of checks (%)", Statuses),
             "Statuses reached", Context)
     ].
 
@@ -217,8 +219,10 @@ share(Counts, Least) ->
 
 bars(Title, Label, Counts) ->
     Sum = lists:sum([N || {_, N} <- Counts]),
-    Bars = lists:reverse(lists:keysort(2, [{atom_to_list(K), 100 * N / Sum} || {K, N} <- Counts])),
+    Bars = lists:reverse(lists:keysort(2, [{Name, 100 * N / Sum} || {Name, N} <- Counts])),
     faultcheck_chart:bars(#{title => Title, x_label => Label, bars => Bars}).
+
+named(Name, Counts) -> [{Name(K), N} || {K, N} <- Counts].
 
 histogram(Title, Label, Counts) ->
     faultcheck_chart:histogram(#{
