@@ -62,6 +62,8 @@ LoadOptions load_options(Request &request, Term term) {
         ListCursor cursor;
         if (name == "signatures") {
             options.signatures = text_of(request, value);
+        } else if (name == "generation") {
+            options.generation = count_of(request, value);
         } else if (name == "no_index" && request.reader.read_list(value, cursor)) {
             while (cursor.left > 0) {
                 options.no_index.push_back(text_of(request, request.reader.next(cursor)));
@@ -116,6 +118,11 @@ const Operation kOperations[] = {
     {"call", 3,
      [](Request &r) { call(loaded(r.session), r.reader, r.part[1], r.part[2], r.writer); }},
     {"batch", 2, [](Request &r) { call_batch(loaded(r.session), r.reader, r.part[1], r.writer); }},
+    {"begin_test", 2,
+     [](Request &r) {
+         loaded(r.session).pointers().forget_all();
+         call_batch(loaded(r.session), r.reader, r.part[1], r.writer);
+     }},
     {"get", 2, [](Request &r) { loaded(r.session).get(r.reader, r.part[1], r.writer); }},
     {"set", 3,
      [](Request &r) {

@@ -29,6 +29,10 @@ class PointerTable {
     // False if it is not a live buffer of ours.
     bool free(std::uint64_t reference);
     void forget_all();
+    // The number of the generation that begins, above those of an earlier process.
+    void begin_at(std::uint64_t generation) {
+        generation_ = generation;
+    }
 
   private:
     struct Key {

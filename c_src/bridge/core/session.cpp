@@ -37,6 +37,7 @@ std::unique_ptr<DebugInfo> open_debug_info(const std::string &file, bool require
 
 Session::Session(const std::string &file, const LoadOptions &options)
     : types_([this](const std::string &name, int tag) { return find_type(name, tag); }) {
+    pointers_.begin_at(options.generation);
     const bool has_signatures = !options.signatures.empty();
     std::unique_ptr<DebugInfo> main = open_debug_info(file, !has_signatures);
     if (has_signatures) {

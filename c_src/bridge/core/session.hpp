@@ -26,6 +26,7 @@ namespace cb {
 struct LoadOptions {
     std::string signatures;            // object file made from headers; empty: none
     std::vector<std::string> no_index; // sonames to leave alone
+    std::uint64_t generation = 1;      // the first one, see PointerTable
 };
 
 class Session : public ConversionContext {
