@@ -75,4 +75,4 @@ variables(_) -> [].
 
 %% Lists of bytes are data here, not text: l leaves them as numbers.
 term({var, N}) when is_integer(N) -> io_lib:format("V~b", [N]);
-term(Term) -> io_lib:format("~0ltp", [Term]).
+term(Term) -> io_lib:format("~0lp", [Term]).
