@@ -246,7 +246,7 @@ lines(CounterExample) ->
 value_lines(Value) ->
     case is_commands(Value) of
         true -> [text("~ts", [Line]) || Line <- faultcheck_pretty:commands(Value)];
-        false -> string:split(text("~ltp", [Value]), "\n", all)
+        false -> string:split(text("~lp", [Value]), "\n", all)
     end.
 
 text(Format, Args) -> lists:flatten(io_lib:format(Format, Args)).
