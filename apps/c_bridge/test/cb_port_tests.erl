@@ -112,7 +112,8 @@ kill_in_mid_call(Reset) ->
     Lib = cb_sut:start("faulty.c", [{reset, Reset}]),
     Process = cb:call(Lib, process, []),
     Test = self(),
-    Caller = spawn_link(fun() -> Test ! {self(), cb_sut:reason(fun() -> cb:call(Lib, hang, []) end)} end),
+    Hang = fun() -> cb:call(Lib, hang, []) end,
+    Caller = spawn_link(fun() -> Test ! {self(), cb_sut:reason(Hang)} end),
     await_running(Process),
     ok = cb_nif:kill(Process, 9),
     receive

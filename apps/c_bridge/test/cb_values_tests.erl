@@ -6,7 +6,10 @@
 -define(BOTH(Source, Tests), [
     {setup, local, fun() -> cb_sut:start(Source, [{transport, Transport}, {reset, reload}]) end,
         fun cb:stop/1, fun(Lib) ->
-            [{atom_to_list(Transport) ++ ": " ++ Name, fun() -> Test(Lib) end} || {Name, Test} <- Tests]
+            [
+                {atom_to_list(Transport) ++ ": " ++ Name, fun() -> Test(Lib) end}
+             || {Name, Test} <- Tests
+            ]
         end}
  || Transport <- [nif, port]
 ]).
@@ -322,7 +325,9 @@ cxx_test_() ->
 
 cxx(L) ->
     ?assertEqual(7, cb:call(L, bill, [2])),
-    ?assertEqual({cxx_exception, <<"negative count">>}, cb_sut:reason(fun() -> cb:call(L, bill, [-1]) end)),
+    ?assertEqual(
+        {cxx_exception, <<"negative count">>}, cb_sut:reason(fun() -> cb:call(L, bill, [-1]) end)
+    ),
     ?assertEqual(7, cb:call(L, bill, [2])).
 
 printer_test_() ->
