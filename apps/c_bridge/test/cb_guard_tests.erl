@@ -33,7 +33,7 @@ packets_pass_test() ->
     ok = cb_guard:close(G).
 
 kill_ends_the_process_and_its_children_test() ->
-    G = shell("sleep 1000 & printf '\\000\\000\\000\\004%4d' $! >&4; sleep 1000"),
+    G = shell("sleep 1000 & printf '\\000\\000\\000\\010%8d' $! >&4; sleep 1000"),
     {data, Text} = cb_guard:next_event(G, 5000),
     gone_after_kill(G, Text).
 
