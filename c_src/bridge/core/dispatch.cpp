@@ -120,7 +120,7 @@ const Operation kOperations[] = {
     {"batch", 2, [](Request &r) { call_batch(loaded(r.session), r.reader, r.part[1], r.writer); }},
     {"begin_test", 2,
      [](Request &r) {
-         loaded(r.session).pointers().forget_all();
+         loaded(r.session).forget_pointers();
          call_batch(loaded(r.session), r.reader, r.part[1], r.writer);
      }},
     {"get", 2, [](Request &r) { loaded(r.session).get(r.reader, r.part[1], r.writer); }},

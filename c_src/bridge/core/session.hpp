@@ -63,6 +63,8 @@ class Session : public ConversionContext {
     Tree functions();
     Tree globals();
 
+    // Frees what was allocated and makes all pointers stale; restore() and reload() do it too.
+    void forget_pointers();
     void take_snapshot();
     void restore();
     void reload();
