@@ -24,7 +24,7 @@ restore(Value) -> os:putenv("FAULTCHECK_LIB_DIR", Value).
 sut_test_() ->
     {setup, fun airbag_test_sut:port/0, fun(_) -> ok end, [
         {"a test starts with nothing of the one before", fun resets/0},
-        {"other options are another airbag", fun configures/0},
+        {"options are those of the test that begins", fun configures/0},
         {"both transports give the same results", fun transports/0}
     ]}.
 
