@@ -17,47 +17,41 @@
 
 %% @doc Brings the airbag that the options describe into its state before the first message.
 -spec begin_test(airbag_options:options()) -> ok.
-begin_test(#{configuration := Configuration, needed := Needed}) ->
-    Wanted = {Configuration, Needed},
+begin_test(Options) ->
     case get(?MODULE) of
-        undefined ->
-            start(Wanted);
-        {Wanted, Sut} ->
+        {Running, Sut} when Running =:= Options ->
             restarted(cb:restart(Sut));
-        {_AtStart, Sut} ->
-            ok = restarted(cb:restart(Sut)),
-            [0, _] = cb:call_batch(Sut, configure(Wanted)),
-            ok
+        undefined ->
+            start(Options);
+        {_Other, _Sut} ->
+            ok = stop(),
+            start(Options)
     end.
 
 restarted(ok) -> ok;
 restarted({error, Reason}) -> error({cb, Reason}).
 
-start(Wanted) ->
-    Start = [
-        {so, library()},
-        {transport, application:get_env(airbag_eqc, transport, nif)},
-        {reset, {calls, reset() ++ configure(Wanted)}},
-        {module, false}
-    ],
+start(Options) ->
+    File = library(),
+    Transport = application:get_env(airbag_eqc, transport, nif),
+    Start = [{so, File}, {transport, Transport}, {reset, {calls, reset(Options)}}, {module, false}],
     case cb:start(airbag, Start) of
         {ok, Sut} ->
-            _ = put(?MODULE, {Wanted, Sut}),
+            _ = put(?MODULE, {Options, Sut}),
             ok;
         {error, Reason} ->
             error({cb, Reason})
     end.
 
 %% The iteration takes out what an earlier test may have left in the channel.
-reset() ->
+reset(#{configuration := Configuration, needed := Needed}) ->
     [
         {faultcheck_removeAllFaults, []},
         {faultcheck_packet_removeAllFaults, []},
-        {airbag_iteration, []}
+        {airbag_iteration, []},
+        {airbag_configure, [configuration(Configuration), Needed]},
+        {application_init, []}
     ].
-
-configure({Configuration, Needed}) ->
-    [{airbag_configure, [configuration(Configuration), Needed]}, {application_init, []}].
 
 configuration(thesis) -> 'AIRBAG_THESIS';
 configuration(recommended) -> 'AIRBAG_RECOMMENDED'.

@@ -103,13 +103,16 @@ to_json(Id, Case) ->
             ]}},
         {original, {text, term_text(maps:get(original, Case))}},
         {shrunk, {text, term_text(maps:get(shrunk, Case))}},
-        {shrink, {text, term_text(maps:get(shrink, Case))}}
+        {shrink, maps:map(fun shrink_entry/2, maps:get(shrink, Case))}
     ]}.
+
+shrink_entry(flaky, {Failed, Runs}) -> [Failed, Runs];
+shrink_entry(_, Value) -> Value.
 
 number(none) -> null;
 number(Value) -> Value.
 
-term_text(Term) -> unicode:characters_to_binary(io_lib:format("~0tp", [Term])).
+term_text(Term) -> unicode:characters_to_binary(io_lib:format("~0ltp", [Term])).
 
 %% @doc Reads a case from its folder or its case.json. The error is a line for the user.
 -spec read(file:filename()) -> {ok, 'case'()} | {error, string()}.
@@ -164,8 +167,21 @@ from_json(Json) ->
         },
         original => counterexample(<<"original">>, Json),
         shrunk => counterexample(<<"shrunk">>, Json),
-        shrink => term(<<"shrink">>, Json)
+        shrink => shrink(maps:get(<<"shrink">>, Json))
     }.
+
+shrink(Json) when is_map(Json) ->
+    Known = [tries, accepted, minimal, stopped, flaky],
+    maps:from_list([
+        {Key, shrunk(Value)}
+     || Key <- Known, {ok, Value} <- [maps:find(atom_to_binary(Key, utf8), Json)]
+    ]);
+shrink(_) ->
+    throw({bad, <<"shrink">>, "must be an object"}).
+
+shrunk([Failed, Runs]) -> {Failed, Runs};
+shrunk(Stopped) when is_binary(Stopped) -> binary_to_atom(Stopped, utf8);
+shrunk(Value) -> Value.
 
 string(Key, Json) ->
     case maps:get(Key, Json) of
@@ -246,7 +262,7 @@ lines(CounterExample) ->
 value_lines(Value) ->
     case is_commands(Value) of
         true -> [text("~ts", [Line]) || Line <- faultcheck_pretty:commands(Value)];
-        false -> string:split(text("~lp", [Value]), "\n", all)
+        false -> string:split(text("~ltp", [Value]), "\n", all)
     end.
 
 text(Format, Args) -> lists:flatten(io_lib:format(Format, Args)).

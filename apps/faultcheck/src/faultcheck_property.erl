@@ -6,7 +6,7 @@
 %% runner asks a new VM for the task `{repeat, Number, Size}'.
 -module(faultcheck_property).
 
--export([run/3]).
+-export([run/3, dotted/2]).
 -export_type([job/0, task/0, failure/0, result/0]).
 
 -type task() ::
@@ -433,9 +433,9 @@ check(CounterExample, #run{property = Property, fails = Fails} = Run) ->
 
 %% In the first phase everything up to the failure is shown; the failure itself is reported by
 %% the runner, after what the actions of a ?WHENFAIL print for the smallest counterexample.
-output(Mode, #run{property = {_, Outer}, numtests = Numtests, tell = Tell} = Run) ->
+output(Mode, #run{job = Job, property = {_, Outer}, numtests = N, tell = Tell} = Run) ->
     put(printed, []),
-    Dots = Numtests =< ?MOST_DOTS andalso Run#run.deadline =:= infinity,
+    Dots = dotted(Job, N),
     Print =
         case Outer of
             #{on_output := Print0} -> Print0;
@@ -444,6 +444,13 @@ output(Mode, #run{property = {_, Outer}, numtests = Numtests, tell = Tell} = Run
     fun(Format, Args) ->
         output(Mode, get(phase), Format, Args, #{print => Print, dots => Dots, run => Run})
     end.
+
+%% @doc Whether a job shows a dot for each test: not when there are too many to look at.
+-spec dotted(job(), pos_integer()) -> boolean().
+dotted(#{task := run} = Job, Numtests) ->
+    Numtests =< ?MOST_DOTS andalso not is_map_key(time, Job);
+dotted(_, _) ->
+    false.
 
 output(run, testing, Dot, [], #{dots := Dots, print := Print}) when Dot =:= "."; Dot =:= "x" ->
     Dots andalso Print(Dot, []),

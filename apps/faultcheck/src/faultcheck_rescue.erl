@@ -20,9 +20,12 @@
 result(How, Info, #{module := M, function := F, task := Task} = Job, Session) ->
     Log = faultcheck_session:last_log(Session),
     case {Task, faultcheck_journal:read(faultcheck_session:last_journal(Session))} of
-        {{check, CounterExample}, _} ->
+        {{Kind, CounterExample}, _} when Kind =:= check; Kind =:= replay ->
             Story = story(How, Log, #{commands => []}),
             checked(CounterExample, How, Story, Job, Session);
+        {{report, _, _}, _} ->
+            {#{status => error, tests => 0, ms => 0, reasons => story(How, Log, #{commands => []})},
+                Session};
         {_, {ok, #{property := {M, F}} = Entry}} ->
             {Found, Next} = again(How, Entry, story(How, Log, Entry), Job, Session),
             {with_tests(Found, Entry), Next};
@@ -162,7 +165,7 @@ hopeless(#{test := Number, size := Size, commands := Commands}, Story, Job, Sess
     end.
 
 %% A stored counterexample that ended its VM.
-checked(CounterExample, How, Story, Job, Session) ->
+checked(CounterExample, How, Story, #{task := Task} = Job, Session) ->
     Failure = #{
         status => failed,
         tests => 1,
@@ -171,7 +174,7 @@ checked(CounterExample, How, Story, Job, Session) ->
         shrunk => CounterExample,
         reasons => Story
     },
-    case faultcheck_session:run(job({check, CounterExample}, patience(How), Job), Session) of
+    case faultcheck_session:run(job(Task, patience(How), Job), Session) of
         {{result, #{status := passed}, _}, Next} ->
             {Failure#{status := flaky, flaky => {0, 1}}, Next};
         {{result, #{status := failed} = Result, _}, Next} ->

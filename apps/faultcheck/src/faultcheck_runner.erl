@@ -158,8 +158,10 @@ recorded(#{transport := Transport}) -> #{transport => Transport}.
 replayed(interrupted, _Case, _Request) ->
     ?INTERRUPTED;
 replayed(#{status := Status} = Outcome, #{status := Then, reasons := Recorded}, Request) ->
-    say("~ts", [maps:get(history, Outcome, "")], Request),
-    lists:foreach(fun(R) -> say("  ~ts", [R], Request) end, maps:get(reasons, Outcome, [])),
+    %% The history ends with the reason.
+    Lines = [["  ", R] || R <- maps:get(reasons, Outcome, [])],
+    History = maps:get(history, Outcome, lists:join($\n, Lines)),
+    say("~ts", [string:trim(History, trailing)], Request),
     case same(Status, Then) andalso maps:get(reasons, Outcome, []) =:= Recorded of
         true ->
             say("~ts, as recorded", [Status], Request);
@@ -241,7 +243,7 @@ work_dir(Base) ->
             Dead = cb_nif:kill(list_to_integer(Name), 0) =:= {error, esrch},
             Dead andalso file:del_dir_r(filename:join(Root, Name))
         end,
-        [N || N <- filelib:wildcard("*", Root), string:to_integer(N) =/= {error, no_integer}]
+        [N || N <- filelib:wildcard("*", Root), element(2, string:to_integer(N)) =:= ""]
     ),
     filename:join(Root, os:getpid()).
 

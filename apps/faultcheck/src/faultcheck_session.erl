@@ -53,15 +53,22 @@ run(Job, #{child := none, number := Number, config := #{child := Options}} = Ses
 run(Job, #{child := Child} = Session) ->
     Watch = faultcheck_child:run(Child, Job),
     Now = now_ms(),
-    Shown = #{began => Now, next => Now + ?FIRST_PROGRESS_MS, open => false, midline => false, job => Job},
+    Shown = #{
+        job => Job,
+        began => Now,
+        %% when to show progress next, and whether its line is on the screen now
+        next => Now + ?FIRST_PROGRESS_MS,
+        open => false,
+        %% what was printed last was no line end; PropEr's dots so far
+        midline => false,
+        dots => 0
+    },
     loop(Watch, #{}, Shown, Session).
 
 loop(Watch, Info, Shown, #{child := Child} = Session) ->
     case faultcheck_child:next(Child, Watch) of
         {{output, Text}, Next} ->
-            Clear = clear(Shown, Session),
-            ok = output(Text, Session),
-            loop(Next, Info, Clear#{midline := midline(Text, Session)}, Session);
+            loop(Next, Info, shown(Text, clear(Shown, Session), Session), Session);
         {{started, Started}, Next} ->
             loop(Next, maps:merge(Info, Started), Shown, Session);
         {{failed, Failure}, Next} ->
@@ -76,16 +83,34 @@ loop(Watch, Info, Shown, #{child := Child} = Session) ->
             Died = #{status => error, ms => 0, reasons => [Line]},
             {{result, Died#{tests => maps:get(tests, Info, 0)}, Info}, Session};
         {{ended, Ending}, _} ->
-            ok = end_line(Shown, Session),
+            ok = end_line(catch_up(Info, Shown, Session), Session),
             {{dead, Ending, Info}, Session#{child := none}};
         {hang, _} ->
-            ok = end_line(Shown, Session),
+            ok = end_line(catch_up(Info, Shown, Session), Session),
             _ = faultcheck_child:quit(Child),
             {{hang, Info}, Session#{child := none}};
         {interrupted, _} ->
             ok = end_line(Shown, Session),
             ok = faultcheck_child:close(Child),
             {interrupted, Session#{child := none}}
+    end.
+
+shown(Text, #{dots := Dots} = Shown, Session) ->
+    ok = output(Text, Session),
+    After = Shown#{midline := midline(Text, Session)},
+    case Text of
+        <<Dot>> when Dot =:= $.; Dot =:= $x -> After#{dots := Dots + 1};
+        _ -> After
+    end.
+
+%% The last dots die with the VM that printed them; the journal knows how many there were.
+catch_up(Info, #{dots := Dots, job := Job} = Shown, Session) ->
+    Dotted = faultcheck_property:dotted(Job, maps:get(numtests, Info, 1)),
+    case {Dotted, faultcheck_journal:read(last_journal(Session))} of
+        {true, {ok, #{test := Test}}} when Test - 1 > Dots ->
+            shown(binary:copy(<<".">>, Test - 1 - Dots), Shown, Session);
+        _ ->
+            Shown
     end.
 
 midline(Text, #{config := #{verbose := Verbose}}) ->

@@ -141,10 +141,6 @@ void Session::restore() {
     if (!snapshot_.restore()) {
         fail("no_snapshot");
     }
-    forget_pointers();
-}
-
-void Session::forget_pointers() {
     pointers_.forget_all();
     kept_.clear();
 }
@@ -152,7 +148,8 @@ void Session::forget_pointers() {
 void Session::reload() {
     flush_coverage();
     snapshot_.clear();
-    forget_pointers();
+    pointers_.forget_all();
+    kept_.clear();
     relocate(library_->reload());
     note_memory();
 }

@@ -8,8 +8,11 @@
 
 namespace cb {
 
-const Type &Type::resolve_target() const {
-    return *(known_target = &table->of(target_die));
+const Type &Type::target() const {
+    if (known_target == nullptr) {
+        known_target = &table->of(target_die);
+    }
+    return *known_target;
 }
 
 TypeTable::TypeTable(FindDefinition find_definition)

@@ -1,0 +1,78 @@
+%% Properties over faultcheck_unruly.c, for the tests of the runner: one for each way to misbehave.
+-module(faultcheck_unruly).
+-include_lib("faultcheck/include/faultcheck.hrl").
+
+-export([prop_hang/1, prop_good/1]).
+
+prop_good() -> property(good).
+prop_good(doc) -> "the level is the sum of the steps".
+
+prop_wrong() -> property(wrong).
+prop_crash() -> property(crash).
+prop_hang() -> property(hang).
+prop_hang(opts) -> [{timeout, 400}].
+
+prop_leave() -> property(leave).
+prop_print() -> property(print).
+prop_flaky() -> property(flaky).
+prop_guest() -> property(guest).
+prop_slow() -> property(slow).
+
+%% Without C code.
+prop_value() -> ?FORALL(L, list(integer()), length(L) < 5).
+prop_raise() -> ?FORALL(L, list(integer()), length(L) < 5 orelse error({long, length(L)})).
+prop_halt() -> ?FORALL(L, list(integer()), length(L) < 5 orelse erlang:halt(5)).
+prop_stuck() -> ?FORALL(L, list(integer()), length(L) < 5 orelse receive never -> true end).
+prop_fails() -> fails(?FORALL(L, list(integer()), length(L) < 5)).
+prop_fails_not() -> fails(?FORALL(_, integer(), true)).
+prop_chance() -> ?FORALL(L, list(integer()), length(L) < 5 orelse os:system_time() rem 2 =:= 0).
+prop_talk() ->
+    ?FORALL(L, list(integer()), ?WHENFAIL(io:format("told of ~w~n", [L]), length(L) < 5)).
+prop_missing() ->
+    ?SETUP(
+        fun() ->
+            {ok, _} = cb:start(unruly, [{so, "no_such_library.so"}]),
+            fun() -> ok end
+        end,
+        ?FORALL(_, integer(), true)
+    ).
+
+%% What was drawn, to a file.
+prop_draw() ->
+    File = os:getenv("FAULTCHECK_TEST_DRAW"),
+    ?FORALL(
+        L,
+        list(integer()),
+        begin
+            ok = file:write_file(File, io_lib:format("~w~n", [L]), [append]),
+            true
+        end
+    ).
+
+property(How) ->
+    put(?MODULE, How),
+    Source = filename:join(os:getenv("FAULTCHECK_TEST_DIR"), "faultcheck_unruly.c"),
+    ?SETUP(
+        fun() ->
+            {ok, Lib} = cb:start(unruly, [
+                {c_src, Source}, {transport, nif}, {reset, snapshot}, {timeout, 300}
+            ]),
+            fun() -> cb:stop(Lib) end
+        end,
+        ?FORALL(
+            Commands,
+            commands(?MODULE),
+            begin
+                ok = cb:restart(unruly),
+                {_, _, Result} = run_commands(?MODULE, Commands),
+                Result =:= ok
+            end
+        )
+    ).
+
+initial_state() -> 0.
+
+step_args(_Level) -> [get(?MODULE), integer(0, 9)].
+step(How, By) -> cb:call(unruly, How, [By]).
+step_next(Level, _Result, [_How, By]) -> Level + By.
+step_post(Level, [_How, By], Result) -> Result =:= Level + By.
