@@ -109,6 +109,7 @@ outside(Class, Reason, Stack) ->
 
 %% The meta functions of a property: prop_x(doc) and prop_x(opts).
 meta(Module, Function, What, Default) ->
+    _ = code:ensure_loaded(Module),
     case erlang:function_exported(Module, Function, 1) of
         true ->
             try
