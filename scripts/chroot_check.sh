@@ -37,9 +37,12 @@ if [ "${FC_CHROOT_INSIDE:-}" != yes ]; then
   fi
   top=$(mktemp -d "$store/$suite-XXXXXX")
   trap 'rm -rf --one-file-system "$top"' EXIT
-  trap 'exit 130' INT TERM
   FC_CHROOT_INSIDE=yes FC_CHROOT_TOP=$top unshare --mount --pid --fork --kill-child \
-    bash "$0" "$suite" "$what" "$who"
+    bash "$0" "$suite" "$what" "$who" </dev/null &
+  inner=$!
+  # Everything inside dies with the first process of its PID namespace.
+  trap 'kill -KILL $inner 2>/dev/null; exit 130' INT TERM
+  wait $inner
   exit
 fi
 

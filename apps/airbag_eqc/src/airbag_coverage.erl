@@ -11,7 +11,7 @@
 -type row() :: {class(), thesis | recommended, #{atom() => non_neg_integer()}}.
 
 -define(SEED, 1).
--define(TESTS, 2000).
+-define(TESTS, 1000).
 
 %% @doc The fault classes: figure 3, 4 and 5.
 -spec classes() -> [class()].

@@ -17,41 +17,47 @@
 
 %% @doc Brings the airbag that the options describe into its state before the first message.
 -spec begin_test(airbag_options:options()) -> ok.
-begin_test(Options) ->
+begin_test(#{configuration := Configuration, needed := Needed}) ->
+    Wanted = {Configuration, Needed},
     case get(?MODULE) of
-        {Running, Sut} when Running =:= Options ->
-            restarted(cb:restart(Sut));
         undefined ->
-            start(Options);
-        {_Other, _Sut} ->
-            ok = stop(),
-            start(Options)
+            start(Wanted);
+        {Wanted, Sut} ->
+            restarted(cb:restart(Sut));
+        {_AtStart, Sut} ->
+            ok = restarted(cb:restart(Sut)),
+            [0, _] = cb:call_batch(Sut, configure(Wanted)),
+            ok
     end.
 
 restarted(ok) -> ok;
 restarted({error, Reason}) -> error({cb, Reason}).
 
-start(Options) ->
-    File = library(),
-    Transport = application:get_env(airbag_eqc, transport, nif),
-    Start = [{so, File}, {transport, Transport}, {reset, {calls, reset(Options)}}, {module, false}],
+start(Wanted) ->
+    Start = [
+        {so, library()},
+        {transport, application:get_env(airbag_eqc, transport, nif)},
+        {reset, {calls, reset() ++ configure(Wanted)}},
+        {module, false}
+    ],
     case cb:start(airbag, Start) of
         {ok, Sut} ->
-            _ = put(?MODULE, {Options, Sut}),
+            _ = put(?MODULE, {Wanted, Sut}),
             ok;
         {error, Reason} ->
             error({cb, Reason})
     end.
 
 %% The iteration takes out what an earlier test may have left in the channel.
-reset(#{configuration := Configuration, needed := Needed}) ->
+reset() ->
     [
         {faultcheck_removeAllFaults, []},
         {faultcheck_packet_removeAllFaults, []},
-        {airbag_iteration, []},
-        {airbag_configure, [configuration(Configuration), Needed]},
-        {application_init, []}
+        {airbag_iteration, []}
     ].
+
+configure({Configuration, Needed}) ->
+    [{airbag_configure, [configuration(Configuration), Needed]}, {application_init, []}].
 
 configuration(thesis) -> 'AIRBAG_THESIS';
 configuration(recommended) -> 'AIRBAG_RECOMMENDED'.

@@ -8,7 +8,7 @@ report_test_() ->
 report() ->
     Dir = "/tmp/airbag_report_" ++ os:getpid(),
     Settings = (airbag_report:settings())#{
-        seeds => 3, tests => 84, coverage_tests => 42, flips => 2, progress => fun(_) -> ok end
+        seeds => 1, tests => 84, coverage_tests => 42, flips => 2, progress => fun(_) -> ok end
     },
     try
         ok = airbag_report:run(Dir, Settings),

@@ -3,7 +3,8 @@
 -include_lib("eunit/include/eunit.hrl").
 
 signatures(Count) ->
-    [{list_to_atom("f" ++ integer_to_list(I)), [{a, int}, {b, int}], int} || I <- lists:seq(1, Count)].
+    Names = [list_to_atom("f" ++ integer_to_list(I)) || I <- lists:seq(1, Count)],
+    [{Name, [{a, int}, {b, int}], int} || Name <- Names].
 
 with_module(Test) ->
     Name = cb_module_tests_generated,

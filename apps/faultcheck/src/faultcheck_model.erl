@@ -20,7 +20,8 @@
 %% variable {var,N}, so it must not look inside it.
 -module(faultcheck_model).
 
--export([info/1, commands/1, enabled/2, args/3, allowed/4, next/5, post/5, requirements/5, faults/1]).
+-export([info/1, commands/1, faults/1, enabled/2, args/3, allowed/4, next/5, post/5,
+         requirements/5]).
 -export([command/2, precondition/3, next_state/4, postcondition/4]).
 -export_type([info/0, state/0, command_name/0]).
 

@@ -241,7 +241,8 @@ add(Forms, Fns, Exports) ->
     Properties = [{N, 0} || #fn{name = N, arity = 0} <- Fns,
                             lists:prefix("prop_", atom_to_list(N))],
     Specs = [spec(FA, Anno)
-             || FA <- lists:usort(Public ++ Delegates ++ Properties), not lists:member(FA, Specified)],
+             || FA <- lists:usort(Public ++ Delegates ++ Properties),
+                not lists:member(FA, Specified)],
     {Head, [Module | Tail]} = lists:splitwith(fun(F) -> not is_module(F) end, Forms),
     {attribute, _, module, Mod} = Module,
     Body = [imports(F, Fns) || F <- Tail, not is_eof(F)],

@@ -107,7 +107,8 @@ renumber(Commands, Side) ->
     Old = [N || {set, {var, N}, _} <- Commands],
     Changes = maps:from_list(lists:zip(Old, lists:seq(1, length(Old)))),
     {replace(Commands, Changes),
-     maps:from_list([{maps:get(N, Changes), replace(Imm, Changes)} || {N, Imm} <- maps:to_list(Side)])}.
+     maps:from_list([{maps:get(N, Changes), replace(Imm, Changes)}
+                     || {N, Imm} <- maps:to_list(Side)])}.
 
 %% @doc The model's symbolic state in front of the command that sets a variable.
 -spec state_before(module(), pos_integer(), [faultcheck_generator:command()]) ->

@@ -15,13 +15,17 @@ void Arena::Free::operator()(void *memory) const {
 }
 
 void *Arena::take(std::size_t bytes) {
+    return std::memset(take_raw(bytes), 0, bytes);
+}
+
+void *Arena::take_raw(std::size_t bytes) {
     const std::size_t rounded = (bytes + 15) & ~std::size_t{15};
     if (!separate_ && rounded <= kFirstBlock - used_) {
         unsigned char *place = first_.get() + used_;
         used_ += rounded;
-        return std::memset(place, 0, bytes);
+        return place;
     }
-    void *memory = std::calloc(1, bytes == 0 ? 1 : bytes);
+    void *memory = std::malloc(bytes == 0 ? 1 : bytes);
     if (memory == nullptr) {
         throw std::bad_alloc();
     }

@@ -12,6 +12,8 @@ class Arena {
     Arena();
     // Zeroed memory, aligned to 16 bytes. Throws std::bad_alloc.
     void *take(std::size_t bytes);
+    // The same, not zeroed.
+    void *take_raw(std::size_t bytes);
     void clear() {
         used_ = 0;
         if (!extra_.empty()) {

@@ -4,7 +4,6 @@
 #include "names.hpp"
 #include "suggest.hpp"
 
-#include <algorithm>
 #include <cstring>
 
 namespace cb {
@@ -17,8 +16,39 @@ Tree pointer_text(TermReader &reader, Term term) {
     return Tree::foreign(reader, term);
 }
 
-void load_integer_size(void *place, std::uint64_t value, std::size_t size) {
-    std::memcpy(place, &value, size); // little-endian
+// The low `size` bytes of an integer. Sizes are told apart so that each is one store.
+void store_integer(void *place, std::uint64_t value, std::size_t size) {
+    switch (size) {
+    case 1:
+        std::memcpy(place, &value, 1);
+        break;
+    case 2:
+        std::memcpy(place, &value, 2);
+        break;
+    case 4:
+        std::memcpy(place, &value, 4);
+        break;
+    default:
+        std::memcpy(place, &value, 8);
+    }
+}
+
+std::uint64_t load_integer(const void *place, std::size_t size) {
+    std::uint64_t value = 0;
+    switch (size) {
+    case 1:
+        std::memcpy(&value, place, 1);
+        break;
+    case 2:
+        std::memcpy(&value, place, 2);
+        break;
+    case 4:
+        std::memcpy(&value, place, 4);
+        break;
+    default:
+        std::memcpy(&value, place, 8);
+    }
+    return value;
 }
 
 } // namespace
@@ -83,8 +113,9 @@ void list_in(ConversionContext &context, TermReader &reader, ListCursor cursor, 
     }
 }
 
-void array_in(ConversionContext &context, TermReader &reader, Term term, const Type &type,
-              unsigned char *place, Arena &arena) {
+// Not inlined, here and below: the short way through value_in() is that of numbers.
+[[gnu::noinline]] void array_in(ConversionContext &context, TermReader &reader, Term term,
+                                const Type &type, unsigned char *place, Arena &arena) {
     const Type &element = type.target();
     std::string_view bytes;
     ListCursor cursor;
@@ -123,14 +154,17 @@ void *list_buffer(ConversionContext &context, TermReader &reader, Term term, Lis
     const std::size_t unit = buffer_unit(pointee, type, reader, term);
     // Strings get their NUL, lists of strings their NULL.
     const bool terminated = pointee.is_character || pointee.kind == Kind::Pointer;
-    auto *buffer = static_cast<unsigned char *>(arena.take((cursor.left + terminated) * unit));
+    auto *buffer = static_cast<unsigned char *>(arena.take_raw((cursor.left + terminated) * unit));
+    if (terminated) {
+        std::memset(buffer + cursor.left * unit, 0, unit);
+    }
     const Type &element = bytes ? context.type_named("unsigned char") : pointee;
     list_in(context, reader, cursor, element, buffer, arena);
     return buffer;
 }
 
-void *pointer_value(ConversionContext &context, TermReader &reader, Term term, const Type &type,
-                    Arena &arena) {
+[[gnu::noinline]] void *pointer_value(ConversionContext &context, TermReader &reader, Term term,
+                                      const Type &type, Arena &arena) {
     std::string_view text;
     ListCursor cursor;
     switch (reader.kind(term)) {
@@ -139,8 +173,9 @@ void *pointer_value(ConversionContext &context, TermReader &reader, Term term, c
             bad_value("bad_type", type, reader, term);
         }
         buffer_unit(type.target(), type, reader, term);
-        auto *buffer = static_cast<char *>(arena.take(text.size() + 1));
+        auto *buffer = static_cast<char *>(arena.take_raw(text.size() + 1));
         std::memcpy(buffer, text.data(), text.size());
+        buffer[text.size()] = '\0';
         return buffer;
     }
     case TermKind::List:
@@ -203,8 +238,8 @@ const Member *find_member(TermReader &reader, Term key, const Type &type) {
                                   Tree::foreign(reader, key), close.tree()}));
 }
 
-void aggregate_in(ConversionContext &context, TermReader &reader, Term term, const Type &type,
-                  unsigned char *place, Arena &arena) {
+[[gnu::noinline]] void aggregate_in(ConversionContext &context, TermReader &reader, Term term,
+                                    const Type &type, unsigned char *place, Arena &arena) {
     MapEntries entries;
     if (!reader.read_map(term, entries)) {
         bad_value("bad_type", type, reader, term);
@@ -229,7 +264,7 @@ void value_in(ConversionContext &context, TermReader &reader, Term term, const T
     case Kind::Unsigned:
     case Kind::Enum: {
         const auto bits = static_cast<unsigned>(8 * type.size);
-        return load_integer_size(place, integer_in(reader, term, type, bits), type.size);
+        return store_integer(place, integer_in(reader, term, type, bits), type.size);
     }
     case Kind::Float:
         return float_in(reader, term, type, place);
@@ -268,9 +303,8 @@ void value_out(ConversionContext &context, TermWriter &writer, const Type &type,
     case Kind::Signed:
     case Kind::Unsigned:
     case Kind::Enum: {
-        std::uint64_t value = 0;
-        std::memcpy(&value, place, std::min<std::size_t>(type.size, sizeof value));
-        return integer_out(writer, type, value, static_cast<unsigned>(8 * type.size));
+        return integer_out(writer, type, load_integer(place, type.size),
+                           static_cast<unsigned>(8 * type.size));
     }
     case Kind::Float:
         return float_out(writer, type, place);

@@ -28,7 +28,7 @@ std::uint64_t number_in(TermReader &reader, Term term, const Type &type, unsigne
     std::int64_t number = 0;
     if (reader.read_signed(term, number)) {
         if (is_signed(type)) {
-            const std::int64_t limit = static_cast<std::int64_t>(mask(bits - 1));
+            const auto limit = static_cast<std::int64_t>(mask(bits - 1));
             if (number >= -limit - 1 && number <= limit) {
                 return static_cast<std::uint64_t>(number) & mask(bits);
             }

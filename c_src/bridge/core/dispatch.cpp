@@ -120,7 +120,7 @@ const Operation kOperations[] = {
     {"batch", 2, [](Request &r) { call_batch(loaded(r.session), r.reader, r.part[1], r.writer); }},
     {"begin_test", 2,
      [](Request &r) {
-         loaded(r.session).pointers().forget_all();
+         loaded(r.session).forget_pointers();
          call_batch(loaded(r.session), r.reader, r.part[1], r.writer);
      }},
     {"get", 2, [](Request &r) { loaded(r.session).get(r.reader, r.part[1], r.writer); }},
@@ -198,15 +198,7 @@ void dispatch(std::unique_ptr<Session> &session, TermReader &reader, Term whole,
 }
 
 void call(Session &session, TermReader &reader, Term function, Term arguments, TermWriter &writer) {
-    std::uint64_t handle = 0;
-    if (reader.read_unsigned(function, handle)) {
-        return session.function(handle).call(session, reader, arguments, writer, session.arena());
-    }
-    std::string name;
-    if (!read_text(reader, function, name)) {
-        fail("bad_request", Tree::foreign(reader, function));
-    }
-    session.function(name).call(session, reader, arguments, writer, session.arena());
+    session.function(reader, function).call(session, reader, arguments, writer, session.arena());
 }
 
 namespace {

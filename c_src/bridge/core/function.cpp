@@ -67,6 +67,9 @@ Function::Function(std::string name, Prototype prototype, FfiTypes &ffi)
         offsets_.push_back(frame_);
         frame_ += static_cast<std::uint32_t>((type.size + kSlot - 1) / kSlot * kSlot);
     }
+    // libffi widens small integers to a register, and may write whole registers of a struct.
+    const std::size_t room = std::max<std::size_t>(prototype_.result->size, 2 * sizeof(ffi_arg));
+    result_room_ = static_cast<std::uint32_t>((room + kSlot - 1) / kSlot * kSlot);
     ffi_prep_cif(&cif_, FFI_DEFAULT_ABI, static_cast<unsigned>(ffi_parameters_.size()), ffi_result_,
                  ffi_parameters_.data());
 }
@@ -110,14 +113,6 @@ void Function::read_argument(ConversionContext &context, TermReader &reader, Ter
     }
 }
 
-void *Function::result_of(ffi_cif &cif, void **slots, Arena &arena) {
-    // libffi widens small integers to a register, and may write whole registers of a struct.
-    const std::size_t room = std::max<std::size_t>(prototype_.result->size, 2 * sizeof(ffi_arg));
-    void *result = arena.take((room + kSlot - 1) / kSlot * kSlot);
-    guarded_call(cif, address, result, slots);
-    return result;
-}
-
 void Function::call(ConversionContext &context, TermReader &reader, Term arguments,
                     TermWriter &writer, Arena &arena) {
     ListCursor cursor;
@@ -130,13 +125,16 @@ void Function::call(ConversionContext &context, TermReader &reader, Term argumen
     if (cursor.left > count || prototype_.variadic) {
         return call_variadic(context, reader, cursor, writer, arena);
     }
-    auto *frame = static_cast<unsigned char *>(arena.take(frame_));
-    void **slots = static_cast<void **>(arena.take(count * sizeof(void *)));
+    auto *frame = static_cast<unsigned char *>(
+        arena.take_raw(frame_ + result_room_ + count * sizeof(void *)));
+    unsigned char *result = frame + frame_;
+    void **slots = reinterpret_cast<void **>(result + result_room_);
     for (std::size_t i = 0; i < count; ++i) {
         slots[i] = frame + offsets_[i];
         read_argument(context, reader, reader.next(cursor), i, frame + offsets_[i], arena);
     }
-    value_out(context, writer, *prototype_.result, result_of(cif_, slots, arena));
+    guarded_call(cif_, address, result, slots);
+    value_out(context, writer, *prototype_.result, result);
 }
 
 namespace {
@@ -205,7 +203,9 @@ void Function::call_variadic(ConversionContext &context, TermReader &reader, Lis
     } else {
         ffi_prep_cif(&cif, FFI_DEFAULT_ABI, given, ffi_result_, types.data());
     }
-    value_out(context, writer, *prototype_.result, result_of(cif, slots.data(), arena));
+    void *result = arena.take_raw(result_room_);
+    guarded_call(cif, address, result, slots.data());
+    value_out(context, writer, *prototype_.result, result);
 }
 
 } // namespace cb

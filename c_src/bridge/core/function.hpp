@@ -51,7 +51,6 @@ class Function {
     void check_arity(std::uint32_t given) const;
     void read_argument(ConversionContext &context, TermReader &reader, Term term,
                        std::size_t position, unsigned char *place, Arena &arena);
-    void *result_of(ffi_cif &cif, void **slots, Arena &arena);
     void call_variadic(ConversionContext &context, TermReader &reader, ListCursor arguments,
                        TermWriter &writer, Arena &arena);
 
@@ -62,6 +61,7 @@ class Function {
     ffi_cif cif_{};
     std::vector<std::uint32_t> offsets_; // of each argument in the frame
     std::uint32_t frame_ = 0;
+    std::uint32_t result_room_ = 0;
 };
 
 } // namespace cb

@@ -61,10 +61,10 @@ bool PointerTable::free(std::uint64_t reference) {
 }
 
 void PointerTable::forget_all() {
+    ++generation_; // also if there are none: a forked child may have made some of this generation
     if (entries_.empty()) {
         return;
     }
-    ++generation_;
     entries_.clear();
     known_.clear();
     buffers_.clear();

@@ -141,6 +141,10 @@ void Session::restore() {
     if (!snapshot_.restore()) {
         fail("no_snapshot");
     }
+    forget_pointers();
+}
+
+void Session::forget_pointers() {
     pointers_.forget_all();
     kept_.clear();
 }
@@ -148,8 +152,7 @@ void Session::restore() {
 void Session::reload() {
     flush_coverage();
     snapshot_.clear();
-    pointers_.forget_all();
-    kept_.clear();
+    forget_pointers();
     relocate(library_->reload());
     note_memory();
 }

@@ -15,6 +15,7 @@
 #include "tree.hpp"
 #include "type_table.hpp"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,6 +46,8 @@ class Session : public ConversionContext {
     std::uint64_t resolve(const std::string &name);
     Function &function(const std::string &name);
     Function &function(std::uint64_t handle);
+    // By name or handle, with a short way for atoms that have been used before.
+    Function &function(TermReader &reader, Term name_or_handle);
     Arena &arena() {
         return arena_;
     }
@@ -63,6 +66,8 @@ class Session : public ConversionContext {
     Tree functions();
     Tree globals();
 
+    // Frees what was allocated and makes all pointers stale; restore() and reload() do it too.
+    void forget_pointers();
     void take_snapshot();
     void restore();
     void reload();
@@ -138,6 +143,11 @@ class Session : public ConversionContext {
     FfiTypes ffi_;
     std::vector<std::unique_ptr<KnownFunction>> known_functions_;
     std::unordered_map<std::string, std::size_t> handles_;
+    struct AtomHandle {
+        std::uint64_t key = 0;
+        Function *function = nullptr;
+    };
+    std::array<AtomHandle, 256> by_atom_{}; // by a hash of TermReader::atom_key(); the latest wins
     std::unordered_map<std::string, KnownVariable> known_variables_;
     std::unordered_map<std::string, const Type *> known_types_;
     PointerTable pointers_;

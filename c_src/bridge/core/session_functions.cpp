@@ -114,6 +114,27 @@ Function &Session::function(std::uint64_t handle) {
     return *known_functions_[handle]->function;
 }
 
+Function &Session::function(TermReader &reader, Term name_or_handle) {
+    std::uint64_t number = 0;
+    std::string name;
+    if (reader.atom_key(name_or_handle, number)) {
+        AtomHandle &known = by_atom_[(number >> 6) % by_atom_.size()];
+        if (known.key != number) {
+            read_text(reader, name_or_handle, name);
+            known.function = &function(name);
+            known.key = number;
+        }
+        return *known.function;
+    }
+    if (reader.read_unsigned(name_or_handle, number)) {
+        return function(number);
+    }
+    if (!read_text(reader, name_or_handle, name)) {
+        fail("bad_request", Tree::foreign(reader, name_or_handle));
+    }
+    return function(name);
+}
+
 std::unique_ptr<Session::KnownFunction> Session::find_function(const std::string &name) {
     std::optional<Tree> refusal;
     for (std::size_t part = 0; part < parts_.size(); ++part) {

@@ -61,6 +61,11 @@ class TermReader {
     virtual bool read_float(Term term, double &out) = 0;
     virtual bool read_atom(Term term, std::string_view &out) = 0;
     virtual bool is_atom(Term term, const Name &name) = 0;
+    // A number that stands for this atom as long as the program runs, where there is one that costs
+    // nothing.
+    virtual bool atom_key(Term, std::uint64_t &) {
+        return false;
+    }
     virtual bool read_binary(Term term, std::string_view &out) = 0;
     // Elements of a tuple; false too when it has more than `max`.
     virtual bool read_tuple(Term term, Term *out, unsigned max, unsigned &count) = 0;

@@ -60,7 +60,10 @@ struct Type {
 
     // Pointer: what is pointed to; Array: the element. Resolved on first use, since types may be
     // circular.
-    const Type &target() const;
+    const Type &target() const {
+        return known_target != nullptr ? *known_target : resolve_target();
+    }
+    const Type &resolve_target() const;
     mutable const Type *known_target = nullptr;
     Dwarf_Die target_die{};
     TypeTable *table = nullptr;

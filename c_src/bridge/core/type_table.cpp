@@ -8,11 +8,8 @@
 
 namespace cb {
 
-const Type &Type::target() const {
-    if (known_target == nullptr) {
-        known_target = &table->of(target_die);
-    }
-    return *known_target;
+const Type &Type::resolve_target() const {
+    return *(known_target = &table->of(target_die));
 }
 
 TypeTable::TypeTable(FindDefinition find_definition)

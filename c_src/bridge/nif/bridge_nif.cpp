@@ -9,9 +9,9 @@
 
 #include <signal.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
-#include <mutex>
 #include <new>
 #include <system_error>
 
@@ -20,10 +20,30 @@ namespace cb {
 namespace {
 
 struct NifSession {
-    std::mutex mutex; // one call at a time, from whichever scheduler
+    std::atomic<bool> busy{false}; // one request at a time, from whichever scheduler
     std::unique_ptr<Session> session;
     NifReader reader;
     NifWriter writer;
+};
+
+class Occupied {
+  public:
+    explicit Occupied(std::atomic<bool> &flag)
+        : flag_(flag), mine_(!flag.exchange(true, std::memory_order_acquire)) {}
+    ~Occupied() {
+        if (mine_) {
+            flag_.store(false, std::memory_order_release);
+        }
+    }
+    Occupied(const Occupied &) = delete;
+    Occupied &operator=(const Occupied &) = delete;
+    explicit operator bool() const {
+        return mine_;
+    }
+
+  private:
+    std::atomic<bool> &flag_;
+    bool mine_;
 };
 
 ErlNifResourceType *session_type = nullptr;
@@ -61,7 +81,11 @@ template <typename Work> ERL_NIF_TERM answer(ErlNifEnv *env, ERL_NIF_TERM term, 
     if (session == nullptr) {
         return enif_make_badarg(env);
     }
-    const std::lock_guard<std::mutex> lock(session->mutex);
+    // Waiting would hold up a scheduler for as long as the other call takes.
+    const Occupied occupied(session->busy);
+    if (!occupied) {
+        return error_tuple(env, enif_make_atom(env, "busy"));
+    }
     session->reader.begin(env);
     session->writer.begin(env);
     try {

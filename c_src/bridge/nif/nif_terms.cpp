@@ -59,6 +59,11 @@ bool NifReader::is_atom(Term term, const Name &name) {
     return name.text().size() <= 255 && atom_of(env_, name) == term;
 }
 
+bool NifReader::atom_key(Term term, std::uint64_t &out) {
+    out = term;
+    return enif_is_atom(env_, term) != 0;
+}
+
 bool NifReader::read_binary(Term term, std::string_view &out) {
     ErlNifBinary binary;
     if (enif_inspect_binary(env_, term, &binary) == 0) {

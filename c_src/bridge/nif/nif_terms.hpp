@@ -20,6 +20,7 @@ class NifReader final : public TermReader {
     bool read_float(Term term, double &out) override;
     bool read_atom(Term term, std::string_view &out) override;
     bool is_atom(Term term, const Name &name) override;
+    bool atom_key(Term term, std::uint64_t &out) override;
     bool read_binary(Term term, std::string_view &out) override;
     bool read_tuple(Term term, Term *out, unsigned max, unsigned &count) override;
     bool read_list(Term term, ListCursor &out) override;

@@ -143,6 +143,9 @@ void Server::reply(Term id, Term request) {
 
 void Server::fork_child(Term id) {
     std::fflush(nullptr); // or both processes would write what is in the buffers
+    if (session_ != nullptr) {
+        session_->forget_pointers(); // those of the child before are stale in the one after it
+    }
     const pid_t parent = getpid();
     const pid_t child = fork();
     if (child > 0) {

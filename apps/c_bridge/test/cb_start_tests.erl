@@ -1,0 +1,200 @@
+%% Errors of start, libraries without debug information, stubs, the generated module.
+-module(cb_start_tests).
+
+-include_lib("eunit/include/eunit.hrl").
+
+-define(TRANSPORTS, [nif, port]).
+
+with_plain_library(Flags, Test) ->
+    Dir = cb_files:fresh_name("cb_start_tests", ""),
+    ok = filelib:ensure_dir(filename:join(Dir, "x")),
+    So = filename:join(Dir, "libplain.so"),
+    Args = Flags ++ ["-shared", "-fPIC", "-o", So, cb_sut:source("plain.c")],
+    {ok, 0, _} = cb_compiler:run("gcc", Args),
+    try
+        Test(So)
+    after
+        ok = file:del_dir_r(Dir)
+    end.
+
+in_both(Test) -> [{atom_to_list(T), fun() -> Test(T) end} || T <- ?TRANSPORTS].
+
+a_library_built_elsewhere_test_() ->
+    in_both(fun(Transport) ->
+        with_plain_library(["-g"], fun(So) ->
+            {ok, Lib} = cb:start(sut_plain, [{so, So}, {transport, Transport}]),
+            ?assertEqual(3, cb:call(Lib, plain_add, [1, 2])),
+            ?assertEqual(3, sut_plain:plain_add(1, 2)),
+            ok = cb:stop(Lib)
+        end)
+    end).
+
+a_missing_library_test_() ->
+    in_both(fun(Transport) ->
+        ?assertMatch(
+            {error, {load, _, {dlerror, _}}},
+            cb:start(missing, [{so, "/no/such/lib.so"}, {transport, Transport}])
+        )
+    end).
+
+a_file_that_is_no_library_test_() ->
+    in_both(fun(Transport) ->
+        ?assertMatch(
+            {error, {load, _, _}},
+            cb:start(no_library, [{so, cb_sut:source("plain.h")}, {transport, Transport}])
+        )
+    end).
+
+no_debug_information_test_() ->
+    in_both(fun(Transport) ->
+        with_plain_library(["-s"], fun(So) ->
+            {error, Reason} = cb:start(sut_bare, [{so, So}, {transport, Transport}]),
+            ?assertMatch({load, _, no_debug_info}, Reason)
+        end)
+    end).
+
+headers_replace_debug_information_test_() ->
+    in_both(fun(Transport) ->
+        with_plain_library(["-s"], fun(So) ->
+            {ok, Lib} = cb:start(sut_headers, [
+                {so, So},
+                {headers, [cb_sut:source("plain.h")]},
+                {transport, Transport},
+                {cache_dir, filename:dirname(So)}
+            ]),
+            ?assertEqual(3, cb:call(Lib, plain_add, [1, 2])),
+            ?assertEqual(#{first => 1, second => 2.5}, cb:call(Lib, plain_make, [1, 2.5])),
+            ?assertEqual(2.5, cb:call(Lib, plain_second, [#{second => 2.5}])),
+            ?assertEqual(3, cb:value_of(Lib, plain_counter)),
+            ok = cb:set(Lib, plain_counter, 4),
+            ?assertEqual(4, cb:value_of(Lib, plain_counter)),
+            ?assertMatch(
+                {unknown_function, not_in_header, _},
+                cb_sut:reason(fun() -> cb:call(Lib, not_in_header, []) end)
+            ),
+            ok = cb:stop(Lib)
+        end)
+    end).
+
+a_library_may_be_started_twice_test_() ->
+    in_both(fun(Transport) ->
+        One = cb_sut:start(sut_one, "plain_state.c", [{transport, Transport}]),
+        Two = cb_sut:start(sut_two, "plain_state.c", [{transport, Transport}]),
+        ok = cb:set(One, value, 11),
+        ok = cb:set(Two, value, 22),
+        ?assertEqual({11, 22}, {cb:value_of(sut_one, value), cb:value_of(sut_two, value)}),
+        Pointer = cb:create_array(One, int, [1]),
+        ?assertMatch(
+            {which_library, [sut_one, sut_two]}, cb_sut:reason(fun() -> cb:read(Pointer, 1) end)
+        ),
+        ok = cb:stop(One),
+        ok = cb:stop(Two)
+    end).
+
+the_same_file_twice_has_two_states_test_() ->
+    in_both(fun(Transport) ->
+        with_plain_library(["-g"], fun(So) ->
+            {ok, One} = cb:start(sut_first, [{so, So}, {transport, Transport}]),
+            {ok, Two} = cb:start(sut_second, [{so, So}, {transport, Transport}]),
+            ok = cb:set(One, plain_counter, 11),
+            ?assertEqual(3, cb:value_of(Two, plain_counter)),
+            ok = cb:stop(One),
+            ok = cb:stop(Two)
+        end)
+    end).
+
+starting_again_stops_the_earlier_one_test() ->
+    One = cb_sut:start("plain_state.c", []),
+    ok = cb:set(One, value, 11),
+    Two = cb_sut:start("plain_state.c", []),
+    ?assertEqual(1, cb:value_of(sut_plain_state, value)),
+    ?assertEqual({not_running, stopped}, cb_sut:reason(fun() -> cb:value_of(One, value) end)),
+    ok = cb:stop(Two).
+
+a_name_of_a_module_is_refused_test() ->
+    Options = [{c_src, cb_sut:source("plain_state.c")}, {cache_dir, cb_sut:cache()}],
+    ?assertMatch({error, {module_clash, lists, _}}, cb:start(lists, Options)),
+    %% Without the module any name will do.
+    {ok, Lib} = cb:start(lists, [{module, false} | Options]),
+    ?assertEqual(1, cb:value_of(lists, value)),
+    ok = cb:stop(Lib).
+
+constant_stubs_test() ->
+    Lib = cb_sut:start("device.c", [{stubs, constants()}]),
+    ?assertEqual(2.5, cb:call(Lib, scaled, [1])),
+    ?assertEqual($l, cb:call(Lib, first_letter, [1])),
+    ?assertEqual(0.0, cb:call(Lib, filled, [1])),
+    ok = cb:stop(Lib).
+
+constants() ->
+    [
+        {read_raw, 5},
+        {scale_of, 0.5},
+        {mode_of, 'ON'},
+        {label_of, <<"label">>},
+        {report, ok},
+        {fill_reading, 1},
+        {best_of, fun(A, _) -> A end}
+    ].
+
+a_fun_needs_a_port_test() ->
+    ?assertEqual(
+        {error, {needs_port, {stubs, [best_of]}}},
+        cb:start(sut_device, [
+            {c_src, cb_sut:source("device.c")}, {transport, nif}, {stubs, constants()}
+        ])
+    ).
+
+%% Funs run in the process that called, so they see what it has.
+with_funs(Funs, Test) ->
+    Stubs = lists:ukeymerge(1, lists:keysort(1, Funs), lists:keysort(1, constants())),
+    Lib = cb_sut:start("device.c", [{stubs, Stubs}]),
+    try
+        Test(Lib)
+    after
+        cb:stop(Lib)
+    end.
+
+a_fun_answers_for_a_function_test() ->
+    Test = self(),
+    Funs = [
+        {read_raw, fun(Channel) -> Channel * 100 end},
+        {report, fun(_Text, Value) -> Test ! {reported, self(), Value} end}
+    ],
+    with_funs(Funs, fun(Lib) ->
+        ?assertEqual(150.0, cb:call(Lib, scaled, [3])),
+        receive
+            {reported, Test, 3} -> ok
+        end
+    end).
+
+a_fun_takes_and_gives_structs_test() ->
+    Best = fun(#{value := A} = X, #{value := B} = Y) ->
+        case A > B of
+            true -> X;
+            false -> Y
+        end
+    end,
+    with_funs([{best_of, Best}], fun(Lib) ->
+        ?assertEqual(4.0, cb:call(Lib, better, [4, 2])),
+        ?assertEqual(4.0, cb:call(Lib, better, [2, 4]))
+    end).
+
+a_fun_that_fails_fails_the_call_test() ->
+    with_funs([{read_raw, fun(_) -> error(broken) end}], fun(Lib) ->
+        ?assertMatch(
+            {callback, {read_raw, {error, broken, _}}},
+            cb_sut:reason(fun() -> cb:call(Lib, scaled, [3]) end)
+        ),
+        %% The C function cannot go on without its value: its process is gone.
+        ?assertMatch({not_running, _}, cb_sut:reason(fun() -> cb:call(Lib, scaled, [3]) end)),
+        ok = cb:restart(Lib),
+        ?assertEqual($l, cb:call(Lib, first_letter, [1]))
+    end).
+
+a_wrong_value_of_a_fun_fails_the_call_test() ->
+    with_funs([{read_raw, fun(_) -> not_a_number end}], fun(Lib) ->
+        ?assertMatch(
+            {callback, read_raw, _}, cb_sut:reason(fun() -> cb:call(Lib, scaled, [3]) end)
+        )
+    end).
