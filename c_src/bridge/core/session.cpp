@@ -2,6 +2,7 @@
 
 #include "advice.hpp"
 #include "error.hpp"
+#include "stub.hpp"
 
 #include <sys/stat.h>
 
@@ -106,6 +107,9 @@ std::vector<Range> Session::Part::counters() const {
 }
 
 void Session::note_memory() {
+    for (const Part &part : parts_) {
+        connect_stubs(part.mapped);
+    }
     writable_.clear();
     mapped_.clear();
     for (const Part &part : parts_) {

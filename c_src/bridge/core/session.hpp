@@ -52,6 +52,11 @@ class Session : public ConversionContext {
         return arena_;
     }
 
+    // Memory that lives until the next reset.
+    Arena &kept() {
+        return kept_;
+    }
+
     // Variables and memory. A path is a list of terms: variable or pointer, then members and
     // indexes.
     void get(TermReader &reader, Term path, TermWriter &writer);

@@ -88,6 +88,22 @@ void Tree::write(TermWriter &writer) const {
     writer.end();
 }
 
+Tree Tree::owned() const {
+    Tree copy = *this;
+    if (shape_ == Shape::Foreign) {
+        std::int64_t number = 0;
+        std::string name;
+        if (reader_->read_signed(term_, number)) {
+            return integer(number);
+        }
+        return read_text(*reader_, term_, name) ? atom(name) : atom("_");
+    }
+    for (Tree &element : copy.elements_) {
+        element = element.owned();
+    }
+    return copy;
+}
+
 std::string Tree::text() const {
     switch (shape_) {
     case Shape::Atom:

@@ -26,6 +26,9 @@ class Tree {
     static Tree written_list(std::string terms, unsigned count);
 
     void write(TermWriter &writer) const;
+    // A copy that holds no term of a request any more: such terms become `_`, unless they are
+    // small.
+    Tree owned() const;
     // The tree in Erlang's notation, for people (foreign terms are shown as `_`).
     std::string text() const;
 

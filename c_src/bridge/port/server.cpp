@@ -4,6 +4,7 @@
 
 #include "../core/error.hpp"
 #include "../core/names.hpp"
+#include "../core/stub.hpp"
 
 #include <signal.h>
 #include <sys/mman.h>
@@ -41,6 +42,9 @@ Server::Server(int in, int out) : channel_(in, out) {
     }
     shared_ = new (memory) Shared{false};
     current_server = this;
+    set_stub_callback([](const char *name, void **arguments, void *result) {
+        Server::current()->ask(name, arguments, result);
+    });
 }
 
 Server::~Server() {

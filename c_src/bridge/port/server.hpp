@@ -8,7 +8,6 @@
 
 #include "channel.hpp"
 #include "ei_terms.hpp"
-#include "stub_callback.h"
 
 #include "../core/dispatch.hpp"
 
@@ -25,8 +24,8 @@ class Server {
     ~Server();
     // Serves until `stop` or the end of input. Throws MalformedTerm and BrokenChannel.
     int run();
-    // Asks Erlang on behalf of a stub. Throws Error.
-    void ask(const char *name, const cb_stub_value *args, int count, cb_stub_value &result);
+    // Asks Erlang on behalf of a stub, see stub.hpp. Throws Error.
+    void ask(const char *name, void **arguments, void *result);
     // The server of this process.
     static Server *current();
 
@@ -44,8 +43,8 @@ class Server {
     void fork_child(Term id);
     void await_child(int child);
     [[noreturn]] void end_child();
-    void write_stub_value(TermWriter &writer, const cb_stub_value &value);
-    void read_stub_value(EiReader &reader, Term term, const char *name, cb_stub_value &value);
+    Term next_answer(std::vector<char> &packet, EiReader &reader);
+    void read_answer(const char *name, const Type &type, void *result);
 
     Channel channel_;
     EiReader reader_;

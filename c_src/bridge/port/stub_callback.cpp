@@ -1,14 +1,14 @@
-#include "stub_callback.h"
-
-#include "external_term.hpp"
+// Stubs that ask Erlang: {0, callback, Name, Args} out, {callback, Value} in. Types are those of
+// the stub itself.
 #include "server.hpp"
 
-#include "../core/convert_scalar.hpp"
+#include "external_term.hpp"
+
 #include "../core/error.hpp"
 
 #include <unistd.h>
 
-#include <string>
+#include <cstdio>
 
 namespace cb {
 
@@ -16,120 +16,65 @@ namespace {
 
 const Name kCallback{"callback"};
 
-Type type_of(const cb_stub_value &value) {
-    Type type;
-    type.size = value.size;
-    switch (value.kind) {
-    case CB_STUB_SIGNED:
-        type.kind = Kind::Signed;
-        type.spelling = "int" + std::to_string(8 * value.size) + "_t";
-        break;
-    case CB_STUB_UNSIGNED:
-        type.kind = Kind::Unsigned;
-        type.spelling = "uint" + std::to_string(8 * value.size) + "_t";
-        break;
-    case CB_STUB_BOOL:
-        type.kind = Kind::Bool;
-        type.spelling = "bool";
-        break;
-    case CB_STUB_FLOAT:
-        type.kind = Kind::Float;
-        type.size = sizeof(double);
-        type.spelling = "double";
-        break;
-    default:
-        type.spelling = "void *";
-    }
-    return type;
+// A callback runs inside of the library's code: an exception about the channel would be taken for
+// one of the library.
+[[noreturn]] void end_malformed(const std::exception &error) {
+    std::fprintf(stderr, "c_bridge_port: malformed message: %s\n", error.what());
+    _exit(kExitMalformed);
 }
 
 } // namespace
 
-void Server::write_stub_value(TermWriter &writer, const cb_stub_value &value) {
-    const Type type = type_of(value);
-    const auto *text = static_cast<const char *>(value.as.p);
-    switch (value.kind) {
-    case CB_STUB_SIGNED:
-        return writer.write_signed(value.as.i);
-    case CB_STUB_UNSIGNED:
-        return writer.write_unsigned(value.as.u);
-    case CB_STUB_BOOL:
-        return integer_out(writer, type, value.as.u, 8);
-    case CB_STUB_FLOAT:
-        return float_out(writer, type, &value.as.d);
-    case CB_STUB_STRING:
-        return text == nullptr ? writer.write_atom("null") : writer.write_binary(text);
-    case CB_STUB_POINTER:
-        return write_pointer(*session_, writer, const_cast<void *>(value.as.p),
-                             session_->type_named("void"));
-    default:
-        return writer.write_atom("ok");
-    }
-}
-
-void Server::read_stub_value(EiReader &reader, Term term, const char *name, cb_stub_value &value) {
-    const Type type = type_of(value);
-    const auto bits = static_cast<unsigned>(8 * value.size);
-    try {
-        switch (value.kind) {
-        case CB_STUB_SIGNED: {
-            const std::uint64_t number = integer_in(reader, term, type, bits);
-            value.as.i = static_cast<std::int64_t>(number << (64 - bits)) >> (64 - bits);
-            break;
-        }
-        case CB_STUB_UNSIGNED:
-        case CB_STUB_BOOL:
-            value.as.u = integer_in(reader, term, type, bits);
-            break;
-        case CB_STUB_FLOAT:
-            float_in(reader, term, type, &value.as.d);
-            break;
-        case CB_STUB_POINTER:
-            if (!looks_like_pointer(reader, term)) {
-                bad_value("bad_type", type, reader, term);
-            }
-            value.as.p = read_pointer(*session_, reader, term).address;
-            break;
-        default:
-            break;
-        }
-    } catch (const ValueError &error) {
-        fail("callback", Tree::atom(name), error.detail());
-    }
-}
-
-void Server::ask(const char *name, const cb_stub_value *args, int count, cb_stub_value &result) {
+void Server::ask(const char *name, void **arguments, void *result) {
+    const Prototype &prototype = session_->function(std::string(name)).prototype();
     EiWriter writer;
     writer.begin_tuple(4);
     writer.write_signed(0);
     writer.write_name(kCallback);
     writer.write_atom(name);
-    writer.begin_list(static_cast<unsigned>(count));
-    for (int i = 0; i < count; ++i) {
-        write_stub_value(writer, args[i]);
+    writer.begin_list(static_cast<unsigned>(prototype.parameters.size()));
+    for (std::size_t i = 0; i < prototype.parameters.size(); ++i) {
+        value_out(*session_, writer, *prototype.parameters[i].type, arguments[i]);
     }
     writer.end();
     writer.end();
     channel_.write(writer.packet());
+    read_answer(name, *prototype.result, result);
+}
 
+Term Server::next_answer(std::vector<char> &packet, EiReader &reader) {
+    try {
+        if (!channel_.read(packet)) {
+            _exit(kExitOk); // nobody is there any more to make this call for
+        }
+        reader.begin(packet.data(), packet.size());
+        Term parts[2];
+        unsigned count = 0;
+        if (!reader.read_tuple(reader.root(), parts, 2, count) || count != 2 ||
+            !reader.is_atom(parts[0], kCallback)) {
+            throw MalformedTerm("a message that is not {callback, Value}", 1);
+        }
+        return parts[1];
+    } catch (const MalformedTerm &error) {
+        end_malformed(error);
+    } catch (const BrokenChannel &error) {
+        end_malformed(error);
+    }
+}
+
+void Server::read_answer(const char *name, const Type &type, void *result) {
     std::vector<char> packet;
-    if (!channel_.read(packet)) {
-        _exit(kExitOk);
-    }
     EiReader reader;
-    reader.begin(packet.data(), packet.size());
-    Term parts[2];
-    unsigned size = 0;
-    if (!reader.read_tuple(reader.root(), parts, 2, size) || size != 2 ||
-        !reader.is_atom(parts[0], kCallback)) {
-        throw MalformedTerm("a message that is not {callback, Value}", 1);
+    const Term value = next_answer(packet, reader);
+    if (result == nullptr) {
+        return;
     }
-    read_stub_value(reader, parts[1], name, result);
+    try {
+        value_in(*session_, reader, value, type, result, session_->kept());
+    } catch (const ValueError &error) {
+        // The value is shown in words: its message ends with this function.
+        fail("callback", Tree::atom(name), error.detail().owned());
+    }
 }
 
 } // namespace cb
-
-extern "C" __attribute__((visibility("default"))) void
-cb_stub_call(const char *name, const cb_stub_value *args, int count, cb_stub_value *result) {
-    cb::Server::current()->ask(name, args, count, *result);
-}
