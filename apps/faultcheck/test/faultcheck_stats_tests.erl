@@ -53,7 +53,8 @@ shrinking_is_not_counted_test() ->
                            {_, _, Result} = model_lab:run(bag_model, Commands),
                            Result =:= ok
                        end),
-    {false, _, #{tries := Tries}} = model_lab:quickcheck(Property, [{numtests, 100000}, {start_size, 40}]),
+    {false, _, #{tries := Tries}} =
+        model_lab:quickcheck(Property, [{numtests, 100000}, {start_size, 40}]),
     #{tests := Tests} = faultcheck_stats:stop(),
     ?assert(Tries > 10),
     ?assertEqual(counters:get(Bodies, 1), Tests + Tries + 3).
