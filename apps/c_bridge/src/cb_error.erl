@@ -44,6 +44,7 @@
     | cb_crash:crash()
     | {not_running, reason() | stopped}
     | {callback, term()}
+    | {in_call, name()}
     | {callback, name(), term()}
     %% start and restart
     | {load, file:filename_all(), load_detail()}
@@ -166,6 +167,8 @@ line({callback, {Function, {Class, Reason, _Stack}}}) ->
     text("the stub ~ts failed with ~tp:~0tp", [name(Function), Class, Reason]);
 line({callback, {Function, Why}}) ->
     text("the stub ~ts gave no value: ~0tp", [name(Function), Why]);
+line({in_call, Function}) ->
+    text("the stub ~ts cannot use the library that is calling it", [name(Function)]);
 line({callback, Function, Detail}) ->
     text("the stub ~ts gave a wrong value: ~ts", [name(Function), detail(Detail)]);
 %% ---- start -----------------------------------------------------------------------------------

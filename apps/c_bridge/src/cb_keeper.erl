@@ -142,18 +142,25 @@ ask_stub(#keeper{config = #{stubs := Stubs}}, {From, Reference}, Function, Args)
         #{Function := Fun} ->
             Monitor = monitor(process, From),
             From ! {Reference, callback, Fun, Args},
-            receive
-                {Reference, called_back, {ok, Value}} ->
-                    true = demonitor(Monitor, [flush]),
-                    {ok, Value};
-                {Reference, called_back, {error, Why}} ->
-                    true = demonitor(Monitor, [flush]),
-                    {error, {Function, Why}};
-                {'DOWN', Monitor, process, _, Why} ->
-                    {error, {Function, {caller, Why}}}
-            end;
+            await_stub(Monitor, From, Reference, Function);
         #{} ->
             {error, {Function, no_such_stub}}
+    end.
+
+await_stub(Monitor, From, Reference, Function) ->
+    receive
+        {Reference, called_back, {ok, Value}} ->
+            true = demonitor(Monitor, [flush]),
+            {ok, Value};
+        {Reference, called_back, {error, Why}} ->
+            true = demonitor(Monitor, [flush]),
+            {error, {Function, Why}};
+        {'DOWN', Monitor, process, _, Why} ->
+            {error, {Function, {caller, Why}}};
+        {ask, From, Question, _} ->
+            %% The stub itself asks: it would wait for the call that waits for it.
+            From ! {Question, reply, {error, {in_call, Function}}},
+            await_stub(Monitor, From, Reference, Function)
     end.
 
 %% UBSan prints and goes on: what it printed belongs to this request.

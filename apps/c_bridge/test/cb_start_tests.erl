@@ -192,6 +192,24 @@ a_fun_that_fails_fails_the_call_test() ->
         ?assertEqual($l, cb:call(Lib, first_letter, [1]))
     end).
 
+text_is_given_to_a_fun_as_text_test() ->
+    Test = self(),
+    with_funs([{report, fun(Text, _) -> Test ! Text end}], fun(Lib) ->
+        2.5 = cb:call(Lib, scaled, [3]),
+        receive
+            Text -> ?assertEqual(<<"scaled">>, Text)
+        end
+    end).
+
+a_fun_cannot_use_the_library_that_waits_for_it_test() ->
+    Stub = fun(_) -> cb:call(sut_device, first_letter, [1]) end,
+    with_funs([{read_raw, Stub}], fun(Lib) ->
+        ?assertMatch(
+            {callback, {read_raw, {error, {cb, {in_call, read_raw}}, _}}},
+            cb_sut:reason(fun() -> cb:call(Lib, scaled, [3]) end)
+        )
+    end).
+
 a_wrong_value_of_a_fun_fails_the_call_test() ->
     with_funs([{read_raw, fun(_) -> not_a_number end}], fun(Lib) ->
         ?assertMatch(

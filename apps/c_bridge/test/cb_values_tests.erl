@@ -308,9 +308,7 @@ memory_errors(L) ->
     Old = cb:create_array(L, int, [1]),
     ok = cb:restart(L),
     ?assertEqual({stale_pointer, Old}, Wrong(fun() -> cb:read(L, Old, 1) end)),
-    ?assertMatch(
-        {arg, sum, 1, values, {stale_pointer, Old}}, Wrong(fun() -> cb:call(L, sum, [Old, 1]) end)
-    ).
+    ?assertEqual({stale_pointer, Old}, Wrong(fun() -> cb:call(L, sum, [Old, 1]) end)).
 
 unsupported(L) ->
     ?assertMatch(
@@ -326,7 +324,8 @@ cxx_test_() ->
 cxx(L) ->
     ?assertEqual(7, cb:call(L, bill, [2])),
     ?assertEqual(
-        {cxx_exception, <<"negative count">>}, cb_sut:reason(fun() -> cb:call(L, bill, [-1]) end)
+        {cxx_exception, <<"std::invalid_argument: negative count">>},
+        cb_sut:reason(fun() -> cb:call(L, bill, [-1]) end)
     ),
     ?assertEqual(7, cb:call(L, bill, [2])).
 
