@@ -89,8 +89,11 @@ void Session::step_member(TermReader &reader, Term path, Term step, const std::s
     Suggestions close(name);
     for (const Member &member : type->members) {
         if (member.name.text() == name) {
-            place.address += member.bit_size != 0 ? 0 : member.bit_offset / 8;
             place.member = member;
+            if (member.bit_size == 0) {
+                place.address += member.bit_offset / 8;
+                place.member.bit_offset = 0;
+            }
             return;
         }
         close.offer(member.name.text());

@@ -23,6 +23,17 @@ const Name kCallback{"callback"};
     _exit(kExitMalformed);
 }
 
+// The library is in a call, so who answers cannot read memory: text comes as text.
+void write_argument(Session &session, TermWriter &writer, const Type &type, const void *argument) {
+    const bool is_text = type.spelling.text() == "const char *";
+    const char *text = is_text ? *static_cast<const char *const *>(argument) : nullptr;
+    if (text != nullptr) {
+        writer.write_binary(text);
+    } else {
+        value_out(session, writer, type, argument);
+    }
+}
+
 } // namespace
 
 void Server::ask(const char *name, void **arguments, void *result) {
@@ -34,7 +45,7 @@ void Server::ask(const char *name, void **arguments, void *result) {
     writer.write_atom(name);
     writer.begin_list(static_cast<unsigned>(prototype.parameters.size()));
     for (std::size_t i = 0; i < prototype.parameters.size(); ++i) {
-        value_out(*session_, writer, *prototype.parameters[i].type, arguments[i]);
+        write_argument(*session_, writer, *prototype.parameters[i].type, arguments[i]);
     }
     writer.end();
     writer.end();
