@@ -39,4 +39,4 @@ if [ ! -f "$build/CMakeCache.txt" ]; then
 fi
 targets=()
 [ $# -gt 0 ] && targets=(--target "$@")
-cmake --build "$build" --parallel "$(nproc)" "${targets[@]}" 9>&-
+cmake --build "$build" --parallel "$(nproc)" "${targets[@]}" 9>&- | sed '/^ninja: no work to do\.$/d'

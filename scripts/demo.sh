@@ -10,7 +10,7 @@ scripts/build_native.sh release >_build/native.log 2>&1 || { tail -n 30 _build/n
 echo "Testing C code: an airbag must not fire unless it is told to, whatever happens to its packets."
 echo
 status=0
-rebar3 proper -d demo -m prop_airbag_demo || status=$?
+QUIET=1 rebar3 proper -d demo -m prop_airbag_demo || status=$?
 echo
 case $status in
   1) echo "The airbag fired without cause: above are the shortest commands that make it, and how to repeat them." ;;
