@@ -40,7 +40,8 @@ mutate(Mod, Commands) ->
     Result.
 
 start(Mod) ->
-    #gen{model = {Mod, faultcheck_model:info(Mod)}, state = Mod:initial_state()}.
+    Info = faultcheck_model:info(Mod),
+    #gen{model = {Mod, Info}, state = Mod:initial_state()}.
 
 finish(#gen{commands = Commands, side = Side}) ->
     {lists:reverse(Commands), Side}.

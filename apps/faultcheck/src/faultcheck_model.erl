@@ -42,10 +42,11 @@
                faults :: [command_name()]}).
 -opaque info() :: #info{}.
 
-%% @doc The callbacks of a model. Cached until another version of it is loaded.
+%% @doc The callbacks of a model. Cached until another version of it is loaded. A module that is
+%% no model is the caller's error {not_a_model, Mod, Why}.
 -spec info(module()) -> info().
 info(Mod) ->
-    Version = Mod:module_info(md5),
+    Version = version(Mod),
     case persistent_term:get({?MODULE, Mod}, none) of
         {Version, Info} ->
             Info;
@@ -53,6 +54,14 @@ info(Mod) ->
             Info = read(Mod),
             persistent_term:put({?MODULE, Mod}, {Version, Info}),
             Info
+    end.
+
+%% In words, since whoever reads this named the wrong module or forgot the header.
+version(Mod) ->
+    try
+        Mod:module_info(md5)
+    catch
+        error:undef -> error({not_a_model, Mod, "there is no such module in the code path"})
     end.
 
 %% @doc The command names of a model, in alphabetical order.
@@ -150,6 +159,10 @@ read(Mod) ->
     Names = lists:sort([Name || {F, 1} <- maps:keys(Exports),
                                 {ok, Name} <- [without_suffix(F, "_args")]]),
     Commands = [read_command(Name, Exports) || Name <- Names],
+    Commands =:= [] andalso
+        error({not_a_model, Mod, "it exports no X_args/1; does it include faultcheck.hrl?"}),
+    is_map_key({initial_state, 0}, Exports) orelse
+        error({not_a_model, Mod, "it exports no initial_state/0"}),
     #info{commands = maps:from_list([{C#command.name, C} || C <- Commands]),
           list = Commands,
           weighted = is_map_key({weight, 2}, Exports),

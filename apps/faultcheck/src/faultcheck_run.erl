@@ -29,7 +29,8 @@
 -spec commands(module(), [faultcheck_generator:command()], [{atom(), term()}]) -> run().
 commands(Mod, Commands, Environment) ->
     Counting = faultcheck_stats:active(),
-    Start = #run{model = {Mod, faultcheck_model:info(Mod)},
+    Info = faultcheck_model:info(Mod),
+    Start = #run{model = {Mod, Info},
                  state = Mod:initial_state(),
                  env = maps:from_list(Environment),
                  tags = case Counting of true -> []; false -> none end},
