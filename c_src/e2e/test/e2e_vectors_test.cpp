@@ -1,6 +1,6 @@
 // Puts every vector of test/data/e2e_vectors.json.gz to the vector runner, over its pipes.
 //
-//   e2e_vectors_test RUNNER VECTORS.json.gz
+//   e2e_vectors_test [RUNNER VECTORS.json.gz]      without arguments: those of the build
 //
 // Prints how many requests each section made; exit status 1 when a reply differs or a section was
 // empty.
@@ -310,12 +310,12 @@ int run(const char *program, const char *file) {
 } // namespace
 
 int main(int argc, char **argv) {
-    if (argc != 3) {
-        std::cerr << "usage: e2e_vectors_test RUNNER VECTORS.json.gz\n";
+    if (argc != 1 && argc != 3) {
+        std::cerr << "usage: e2e_vectors_test [RUNNER VECTORS.json.gz]\n";
         return 2;
     }
     try {
-        return run(argv[1], argv[2]);
+        return argc == 1 ? run(E2E_RUNNER, E2E_VECTORS) : run(argv[1], argv[2]);
     } catch (const std::exception &error) {
         std::cerr << "e2e_vectors_test: " << error.what() << "\n";
         return 2;
