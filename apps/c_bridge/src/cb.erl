@@ -33,8 +33,7 @@
 -record(lib, {
     name :: atom(),
     transport :: nif | port,
-    %% the session of the NIF, the keeper of the port
-    at :: cb_nif:session() | cb_port:keeper(),
+    at :: cb_nif:session() | cb_port:at(),
     %% what goes to a dirty scheduler, `nif' only
     dirty = false :: boolean() | #{binary() => true},
     info :: map(),
@@ -82,15 +81,15 @@ build(Name, Options) ->
 
 load(Name, #{transport := port} = Options, Build) ->
     #{file := File, load_options := LoadOptions, env := Env} = Build,
-    Keys = [log, reset, force_reset, timeout, slow_timeout, sanitize, owner],
+    Keys = [log, reset, force_reset, timeout, slow_timeout, sanitize],
     Config = (maps:with(Keys, Options))#{
         file => File,
         load_options => LoadOptions,
         env => maps:get(env, Options) ++ Env,
         stubs => maps:from_list([S || {_, F} = S <- maps:get(stubs, Options), is_function(F)])
     },
-    case cb_port:start(Config) of
-        {ok, Keeper, Info} -> started(Name, Options, Keeper, false, Info);
+    case cb_port:start(Config, maps:get(owner, Options)) of
+        {ok, At, Info} -> started(Name, Options, At, false, Info);
         {error, _} = Error -> Error
     end;
 load(Name, #{transport := nif} = Options, Build) ->
@@ -153,13 +152,13 @@ stop(#lib{name = Name, transport = Transport, at = At} = Lib) ->
 stop(Name) ->
     stop(library(Name)).
 
-stop(port, Keeper) -> cb_port:stop(Keeper);
+stop(port, At) -> cb_port:stop(At);
 stop(nif, Session) -> cb_session:stop(Session).
 
 %% @doc State as after start, by the chosen reset; a system under test that crashed is started
 %% again.
 -spec restart(library()) -> ok | {error, reason()}.
-restart(#lib{transport = port, at = Keeper}) -> cb_port:restart(Keeper);
+restart(#lib{transport = port, at = At}) -> cb_port:restart(At);
 restart(#lib{transport = nif, at = Session, info = Choice}) -> cb_session:restart(Session, Choice);
 restart(Name) -> restart(library(Name)).
 
@@ -292,7 +291,7 @@ collect_coverage(#lib{coverage = Dir}) -> cb_coverage:collect(Dir).
 
 %% @doc The last crash, timeout, exit or sanitizer report since start.
 -spec last_crash(library()) -> none | cb_crash:crash().
-last_crash(#lib{transport = port, at = Keeper}) -> cb_port:last_crash(Keeper);
+last_crash(#lib{transport = port, at = At}) -> cb_port:last_crash(At);
 last_crash(#lib{transport = nif}) -> none;
 last_crash(Name) -> last_crash(library(Name)).
 
@@ -301,7 +300,7 @@ last_crash(Name) -> last_crash(library(Name)).
 request(#lib{} = Lib, Request, In) -> value(ask(Lib, Request, In));
 request(Name, Request, In) -> request(library(Name), Request, In).
 
-ask(#lib{transport = port, at = Keeper}, Request, In) -> cb_port:request(Keeper, Request, In);
+ask(#lib{transport = port, at = At}, Request, In) -> cb_port:request(At, Request, In);
 ask(#lib{at = Session, dirty = true}, Request, _) -> cb_nif:request_dirty(Session, Request);
 ask(#lib{at = Session}, Request, _) -> cb_nif:request(Session, Request).
 

@@ -45,6 +45,7 @@
     | {not_running, reason() | stopped}
     | {callback, term()}
     | {in_call, name()}
+    | {other_process, pid()}
     | {callback, name(), term()}
     %% start and restart
     | {load, file:filename_all(), load_detail()}
@@ -169,6 +170,12 @@ line({callback, {Function, Why}}) ->
     text("the stub ~ts gave no value: ~0tp", [name(Function), Why]);
 line({in_call, Function}) ->
     text("the stub ~ts cannot use the library that is calling it", [name(Function)]);
+line({other_process, Owner}) ->
+    text(
+        "only process ~p, which started the library, can use it; start it with {owner, none} "
+        "for all to use it",
+        [Owner]
+    );
 line({callback, Function, Detail}) ->
     text("the stub ~ts gave a wrong value: ~ts", [name(Function), detail(Detail)]);
 %% ---- start -----------------------------------------------------------------------------------

@@ -32,7 +32,8 @@
     %% the environment and the output of the system under test, `port' only
     | {env, [{string(), string() | false}]}
     | {log, file:filename_all() | temporary}
-    %% whose end stops the system under test
+    %% whose end stops the system under test; if that is not the process that starts it, all
+    %% processes can use it (`port' only)
     | {owner, pid() | none}
     %% whether the module Name with a function for each C function is made
     | {module, boolean()}.

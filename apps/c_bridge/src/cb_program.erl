@@ -1,7 +1,8 @@
 %% @doc One running port program: a request, its answer, and how the program ends.
 %%
-%% All functions must be called by the process that called start/2, which must trap exits: the
-%% port sends it its messages. Answers to requests that were given up are recognised by their
+%% All functions must be called by the process that called start/2: the port sends it its messages.
+%% The port is not linked to it, so that the program's end is a message and no exit signal; who
+%% starts a program sees to its end (cb_janitor). Answers to requests that were given up are recognised by their
 %% number and dropped.
 -module(cb_program).
 
@@ -9,7 +10,12 @@
 -export([os_pid/1]).
 -export_type([program/0, outcome/0, ending/0, callback/0, reason/0]).
 
--record(program, {port :: port(), os_pid :: non_neg_integer(), next = 1 :: pos_integer()}).
+-record(program, {
+    port :: port(),
+    monitor :: reference(),
+    os_pid :: non_neg_integer(),
+    next = 1 :: pos_integer()
+}).
 
 -opaque program() :: #program{}.
 -type ending() :: {exit, 0..127} | {signal, 1..127} | unknown.
@@ -41,9 +47,11 @@ start(Log, Env) ->
 open(Exe, Log, Env) ->
     Options = [{args, [Log]}, {env, Env}, {packet, 4}, binary, exit_status, use_stdio],
     Port = open_port({spawn_executable, Exe}, Options),
+    true = unlink(Port),
+    Monitor = monitor(port, Port),
     case erlang:port_info(Port, os_pid) of
-        {os_pid, OsPid} -> #program{port = Port, os_pid = OsPid};
-        undefined -> #program{port = Port, os_pid = 0}
+        {os_pid, OsPid} -> #program{port = Port, monitor = Monitor, os_pid = OsPid};
+        undefined -> #program{port = Port, monitor = Monitor, os_pid = 0}
     end.
 
 hello(Exe, Program) ->
@@ -80,7 +88,7 @@ send(#program{port = Port} = Program, Packet, Then) ->
         error:badarg -> {ended, await_end(Program, 1000)}
     end.
 
-await(#program{port = Port} = Program, Id, Timeout, Callback) ->
+await(#program{port = Port, monitor = Monitor} = Program, Id, Timeout, Callback) ->
     receive
         {Port, {data, Packet}} ->
             case binary_to_term(Packet) of
@@ -93,7 +101,7 @@ await(#program{port = Port} = Program, Id, Timeout, Callback) ->
             end;
         {Port, {exit_status, Status}} ->
             {ended, ending(Status)};
-        {'EXIT', Port, _} ->
+        {'DOWN', Monitor, port, Port, _} ->
             {ended, unknown}
     after Timeout -> timeout
     end.
@@ -109,18 +117,18 @@ ending(Status) -> {exit, Status}.
 
 %% @doc Waits until the program has ended; `unknown' if that cannot be seen in time.
 -spec await_end(program(), timeout()) -> ending().
-await_end(#program{port = Port} = Program, Timeout) ->
+await_end(#program{port = Port, monitor = Monitor} = Program, Timeout) ->
     receive
         {Port, {exit_status, Status}} -> ending(Status);
         {Port, {data, _}} -> await_end(Program, Timeout);
-        {'EXIT', Port, _} -> unknown
+        {'DOWN', Monitor, port, Port, _} -> unknown
     after Timeout -> unknown
     end.
 
 %% @doc Waits until the forked child, or with it the program, has ended.
 -spec await_child_end(program(), timeout()) ->
     {child_ended, ending()} | {ended, ending()} | timeout.
-await_child_end(#program{port = Port} = Program, Timeout) ->
+await_child_end(#program{port = Port, monitor = Monitor} = Program, Timeout) ->
     receive
         {Port, {data, Packet}} ->
             case binary_to_term(Packet) of
@@ -129,7 +137,7 @@ await_child_end(#program{port = Port} = Program, Timeout) ->
             end;
         {Port, {exit_status, Status}} ->
             {ended, ending(Status)};
-        {'EXIT', Port, _} ->
+        {'DOWN', Monitor, port, Port, _} ->
             {ended, unknown}
     after Timeout -> timeout
     end.
@@ -172,8 +180,8 @@ await_or_kill(Program, Patience) ->
 
 %% @doc Drops what the ended program has left in the message queue.
 -spec forget(program()) -> ok.
-forget(#program{port = Port}) ->
-    true = unlink(Port),
+forget(#program{port = Port, monitor = Monitor}) ->
+    true = demonitor(Monitor, [flush]),
     try port_close(Port) of
         true -> ok
     catch
@@ -183,7 +191,6 @@ forget(#program{port = Port}) ->
 
 flush(Port) ->
     receive
-        {Port, _} -> flush(Port);
-        {'EXIT', Port, _} -> flush(Port)
+        {Port, _} -> flush(Port)
     after 0 -> ok
     end.

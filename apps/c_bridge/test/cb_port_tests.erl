@@ -109,7 +109,7 @@ kill_in_mid_call_test_() ->
 
 %% kill -9 from outside, of whoever serves, while it is in a call.
 kill_in_mid_call(Reset) ->
-    Lib = cb_sut:start("faulty.c", [{reset, Reset}]),
+    Lib = cb_sut:start("faulty.c", [{reset, Reset}, {owner, none}]),
     Process = cb:call(Lib, process, []),
     Test = self(),
     Hang = fun() -> cb:call(Lib, hang, []) end,
@@ -177,18 +177,68 @@ the_end_of_the_owner_stops_it_test() ->
     end,
     gone = cb_sut:await_gone(Process).
 
-%% The process that uses a library need not be the one that started it.
-another_process_may_attach_test() ->
-    with_faulty([], fun(L) ->
-        Test = self(),
-        spawn_link(fun() ->
+in_another_process(Fun) ->
+    Test = self(),
+    Process = spawn_link(fun() -> Test ! {self(), Fun()} end),
+    receive
+        {Process, Value} -> Value
+    end.
+
+a_library_without_an_owner_is_for_all_processes_test() ->
+    with_faulty([{owner, none}], fun(L) ->
+        Step = fun() ->
             ok = cb:attach(L),
-            Test ! {stepped, cb:call(sut_faulty, step, [])}
-        end),
-        receive
-            {stepped, N} -> ?assertEqual(1, N)
-        end
+            cb:call(sut_faulty, step, [])
+        end,
+        ?assertEqual(1, in_another_process(Step)),
+        ?assertEqual(2, in_another_process(Step)),
+        ?assertEqual(3, cb:call(L, step, []))
     end).
+
+otherwise_it_is_for_the_process_that_started_it_test() ->
+    Test = self(),
+    with_faulty([], fun(L) ->
+        Step = fun() -> cb_sut:reason(fun() -> cb:call(L, step, []) end) end,
+        ?assertEqual({other_process, Test}, in_another_process(Step)),
+        ?assertEqual(1, cb:call(L, step, []))
+    end).
+
+a_keeper_survives_a_crash_test() ->
+    with_faulty([{owner, none}, {reset, respawn}], fun(L) ->
+        ?assertMatch({crash, _}, cb_sut:reason(fun() -> cb:call(L, follow, [null]) end)),
+        ?assertMatch({crash, _}, cb:last_crash(L)),
+        ok = cb:restart(L),
+        ?assertEqual(1, cb:call(L, step, []))
+    end).
+
+%% Whoever holds the port may be killed while the C code hangs.
+a_killed_holder_leaves_nothing_behind_test_() ->
+    [
+        {lists:concat([Kind, " ", Reset]), fun() -> killed_holder(Kind, Reset) end}
+     || Kind <- [own, shared], Reset <- [fork, respawn]
+    ].
+
+killed_holder(Kind, Reset) ->
+    Test = self(),
+    {Holder, Monitor} = spawn_monitor(fun() ->
+        Owner = maps:get(Kind, #{own => self(), shared => none}),
+        Lib = faulty([{reset, Reset}, {owner, Owner}, {timeout, infinity}]),
+        Test ! {process, cb:call(Lib, process, []), holder(Kind, Lib)},
+        cb_sut:reason(fun() -> cb:call(Lib, hang, []) end)
+    end),
+    receive
+        {process, Process, Held} ->
+            await_running(Process),
+            exit(Held, kill),
+            gone = cb_sut:await_gone(Process)
+    end,
+    receive
+        {'DOWN', Monitor, process, Holder, _} -> ok
+    end.
+
+holder(own, _) -> self();
+%% The keeper is the only process that talks to the port program.
+holder(shared, Lib) -> element(4, Lib).
 
 the_log_can_be_kept_test() ->
     Log = cb_files:fresh_name("cb_port_tests", ".log"),

@@ -1,5 +1,5 @@
 %% What goes in comes out: the same tests through both transports.
--module(cb_values_tests).
+-module(cb_tests).
 
 -include_lib("eunit/include/eunit.hrl").
 

@@ -1,0 +1,309 @@
+%% @doc One system under test behind a port program: started, asked, reset, ended.
+%%
+%% The functions take and give the state, and must all be called by the process that called
+%% start/1, because the port program sends its answers to that process. `cb_port' and `cb_keeper'
+%% hold such states. In fork mode the program loads the library once and a forked child of it serves
+%% one test; otherwise the program itself serves.
+-module(cb_instance).
+
+-export([start/1, request/4, restart/2, stop/1, last_crash/1]).
+-export_type([config/0, instance/0, ask_stub/0]).
+
+-type config() :: #{
+    file := file:filename(),
+    load_options := map(),
+    env := [{string(), string() | false}],
+    log := file:filename() | temporary,
+    reset := cb_reset:asked(),
+    force_reset := none | {force, cb_reset:asked()},
+    timeout := timeout(),
+    %% load and start have more time than a call
+    slow_timeout := timeout(),
+    sanitize := [address | undefined],
+    stubs := #{atom() => fun()}
+}.
+%% Runs a stub in the process that called.
+-type ask_stub() :: fun((Function :: atom(), fun(), [term()]) -> {ok, term()} | {error, term()}).
+
+-record(instance, {
+    config :: config(),
+    log :: file:filename(),
+    janitor :: cb_janitor:janitor(),
+    restarts = 0 :: non_neg_integer(),
+    program = none :: none | cb_program:program(),
+    choice = none :: none | cb_reset:choice(),
+    %% the forked child that serves, in fork mode
+    child = none :: none | pos_integer(),
+    %% why there is nothing to call
+    down = none :: none | term(),
+    last_crash = none :: none | cb_crash:crash(),
+    %% the generation that the next process starts with
+    generation = 1 :: pos_integer(),
+    %% where in the log the present test began
+    log_from = 0 :: non_neg_integer(),
+    %% places named already: while a failure is shrunk, the same crash comes again and again
+    symbols = #{} :: cb_symbols:known()
+}).
+
+-opaque instance() :: #instance{}.
+
+-define(STOP_MS, 5000).
+-define(QUIT_MS, 1000).
+%% A log file of our own is cut when a restart finds it longer than this.
+-define(LOG_BYTES, 8388608).
+-define(LOG_CHECK_EVERY, 256).
+
+%% @doc Starts the program and loads the library. The map returned is what the core says about it,
+%% with the reset chosen. The end of the calling process ends the system under test.
+-spec start(config()) -> {ok, map(), instance()} | {error, term()}.
+start(Config) ->
+    Log = log_file(Config),
+    State = #instance{
+        config = Config,
+        log = Log,
+        log_from = cb_log:length(Log),
+        janitor = cb_janitor:start([Log || maps:get(log, Config) =:= temporary])
+    },
+    case boot(State) of
+        {ok, Info, Ready} ->
+            {ok, Info, Ready};
+        {error, Reason, Failed} ->
+            ok = stop(Failed),
+            {error, Reason}
+    end.
+
+log_file(#{log := temporary}) -> cb_files:fresh_name("c_bridge", ".log");
+log_file(#{log := File}) -> File.
+
+%% @doc Any request of the table in docs/architecture.md. In is what a crash is reported in; Ask
+%% runs a stub.
+-spec request(instance(), term(), cb_crash:sut(), ask_stub()) ->
+    {{ok, term()} | {error, term()}, instance()}.
+request(#instance{down = none} = State, Request, In, Ask) ->
+    #instance{config = #{timeout := Timeout}} = State,
+    exchange(State, Request, In, Timeout, Ask);
+request(#instance{down = Why} = State, _Request, _In, _Ask) ->
+    {{error, {not_running, Why}}, State}.
+
+%% @doc Resets the system under test, or starts it again if it is gone.
+-spec restart(instance(), ask_stub()) -> {ok | {error, term()}, instance()}.
+restart(#instance{restarts = Restarts} = State, Ask) ->
+    reset(check_log(State#instance{restarts = Restarts + 1}), Ask).
+
+%% @doc Ends the program and what it has forked, and removes a temporary log.
+-spec stop(instance()) -> ok.
+stop(#instance{janitor = Janitor} = State) ->
+    ok = shut_down(State),
+    ok = delete_log(State),
+    cb_janitor:finished(Janitor).
+
+delete_log(#instance{config = #{log := temporary}, log = Log}) ->
+    _ = file:delete(Log),
+    ok;
+delete_log(_) ->
+    ok.
+
+-spec last_crash(instance()) -> none | cb_crash:crash().
+last_crash(#instance{last_crash = Crash}) -> Crash.
+
+check_log(#instance{config = #{log := temporary}, log = Log, restarts = Restarts} = State) when
+    Restarts rem ?LOG_CHECK_EVERY =:= 0
+->
+    case cb_log:length(Log) > ?LOG_BYTES of
+        true ->
+            ok = cb_log:cut(Log),
+            State#instance{log_from = 0};
+        false ->
+            State
+    end;
+check_log(State) ->
+    State.
+
+%% ---- one request ---------------------------------------------------------------------------
+
+exchange(#instance{program = Program} = State, Request, In, Timeout, Ask) ->
+    Callback = fun(Function, Args) -> ask_stub(State, Ask, Function, Args) end,
+    {Outcome, Next} = cb_program:request(Program, Request, Timeout, Callback),
+    outcome(Outcome, State#instance{program = Next}, In, Timeout).
+
+outcome({ok, _} = Reply, State, In, _) -> check_sanitizer(Reply, State, In);
+outcome({error, _} = Reply, State, In, _) -> check_sanitizer(Reply, State, In);
+outcome({ended, Ending}, State, In, _) -> died(Ending, buried(State), In);
+outcome({child_ended, Ending}, State, In, _) -> died(Ending, State#instance{child = none}, In);
+outcome(timeout, State, In, Ms) -> timed_out(State, In, Ms);
+outcome({abandoned, Why}, State, _In, _) -> down({callback, Why}, ended_by(kill, State)).
+
+ask_stub(#instance{config = #{stubs := Stubs}}, Ask, Function, Args) ->
+    case Stubs of
+        #{Function := Fun} ->
+            case Ask(Function, Fun, Args) of
+                {ok, _} = Value -> Value;
+                {error, Why} -> {error, {Function, Why}}
+            end;
+        #{} ->
+            {error, {Function, no_such_stub}}
+    end.
+
+%% UBSan prints and goes on: what it printed belongs to this request.
+check_sanitizer(Reply, #instance{config = #{sanitize := []}} = State, _In) ->
+    {Reply, State};
+check_sanitizer(Reply, #instance{log = Log, log_from = From} = State, In) ->
+    Text = cb_log:since(Log, From),
+    case cb_crash:sanitizer_lines(Text) of
+        [] ->
+            {Reply, State};
+        [First | _] ->
+            Reason = {sanitizer, undefined, #{summary => First, log => Text, in => In}},
+            Seen = State#instance{log_from = From + byte_size(Text), last_crash = Reason},
+            {{error, Reason}, Seen}
+    end.
+
+%% ---- the end of a process --------------------------------------------------------------------
+
+died(Ending, State, In) ->
+    down_of(Ending, State, In).
+
+timed_out(State, In, Ms) ->
+    down_of({timeout, Ms}, ended_by(quit, State), In).
+
+down_of(Ending, #instance{log = Log, log_from = From} = State, In) ->
+    Finding = cb_crash:examine(Ending, cb_log:since(Log, From)),
+    {Frames, Named} = frames(cb_crash:addresses(Finding), State),
+    down(cb_crash:reason(Finding, In, Frames), Named).
+
+%% In fork mode the parent is sound and knows the library; otherwise a fresh program is asked.
+frames(Addresses, #instance{program = Program, symbols = Known} = State) ->
+    {Frames, NowKnown, Next} = cb_symbols:frames(Addresses, Known, Program),
+    {Frames, State#instance{symbols = NowKnown, program = Next}}.
+
+down(Reason, #instance{log = Log} = State) ->
+    Down = State#instance{down = Reason, last_crash = Reason, log_from = cb_log:length(Log)},
+    {{error, Reason}, Down}.
+
+%% Makes who serves end: the child if there is one, else the program. SIGQUIT lets it say where
+%% it hangs; SIGKILL follows when it does not end by that.
+ended_by(Signal, #instance{program = Program, child = none} = State) ->
+    ok = cb_program:signal(cb_program:os_pid(Program), Signal),
+    case cb_program:await_end(Program, ?QUIT_MS) of
+        unknown when Signal =:= quit -> ended_by(kill, State);
+        _ -> buried(State)
+    end;
+ended_by(Signal, #instance{program = Program, child = Child} = State) ->
+    ok = cb_program:signal(Child, Signal),
+    case cb_program:await_child_end(Program, ?QUIT_MS) of
+        {child_ended, _} -> State#instance{child = none};
+        timeout when Signal =:= quit -> ended_by(kill, State);
+        _ -> ended_by(kill, State#instance{child = none})
+    end.
+
+buried(#instance{program = Program} = State) ->
+    ok = cb_program:forget(Program),
+    State#instance{program = none, child = none}.
+
+%% ---- start, reset, stop ----------------------------------------------------------------------
+
+boot(#instance{config = Config, log = Log, janitor = Janitor} = State) ->
+    case cb_program:start(Log, maps:get(env, Config)) of
+        {ok, Program} ->
+            ok = cb_janitor:program(Janitor, cb_program:os_pid(Program)),
+            load(State#instance{program = Program, child = none, down = none});
+        {error, Reason} ->
+            {error, Reason, State}
+    end.
+
+load(#instance{config = Config, generation = Generation} = State) ->
+    #{file := File, load_options := Options, slow_timeout := Timeout} = Config,
+    Request = {load, File, Options#{generation => Generation}},
+    case exchange(State, Request, {load, File}, Timeout, fun no_stub/3) of
+        {{ok, Loaded}, Next} -> choose(Loaded, Next);
+        {{error, Reason}, Next} -> {error, Reason, Next}
+    end.
+
+choose(Loaded, #instance{config = #{reset := Asked, force_reset := Forced}} = State) ->
+    case cb_reset:choose(port, Asked, Forced, Loaded) of
+        {ok, Choice} ->
+            case requests(after_load(Choice), State#instance{choice = Choice}, fun no_stub/3) of
+                {ok, Ready} -> {ok, maps:merge(Loaded, Choice), Ready};
+                {{error, Reason}, Failed} -> {error, Reason, Failed}
+            end;
+        {error, Reason} ->
+            {error, Reason, State}
+    end.
+
+no_stub(Function, _Fun, _Args) -> {error, {Function, called_while_loading}}.
+
+after_load(#{method := snapshot} = Choice) -> [snapshot | cb_reset:requests(Choice)];
+after_load(#{method := fork} = Choice) -> [fork | cb_reset:requests(Choice)];
+after_load(Choice) -> cb_reset:requests(Choice).
+
+%% Each reset starts at most two generations of pointers: its own and that of the calls after it.
+reset(#instance{generation = Generation} = State, Ask) ->
+    reset_by_method(State#instance{generation = Generation + 2}, Ask).
+
+reset_by_method(#instance{program = none} = State, _Ask) ->
+    boot_again(State);
+reset_by_method(#instance{choice = #{method := respawn}} = State, _Ask) ->
+    ok = shut_down(State),
+    boot_again(State);
+reset_by_method(#instance{choice = #{method := fork}, child = none} = State, Ask) ->
+    again([fork], State#instance{down = none}, Ask);
+reset_by_method(#instance{choice = #{method := fork}} = State, Ask) ->
+    again([fork], end_child(State), Ask);
+reset_by_method(#instance{down = Why} = State, _Ask) when Why =/= none ->
+    boot_again(ended_by(kill, State));
+reset_by_method(#instance{choice = #{method := snapshot}} = State, Ask) ->
+    again([restore], State, Ask);
+reset_by_method(#instance{choice = #{method := reload}} = State, Ask) ->
+    again([reload], State, Ask);
+reset_by_method(State, Ask) ->
+    again([], State, Ask).
+
+boot_again(State) ->
+    case boot(State) of
+        {ok, _, Ready} -> {ok, Ready};
+        {error, Reason, Failed} -> {{error, Reason}, Failed#instance{down = Reason}}
+    end.
+
+again(_, #instance{program = none} = State, _Ask) ->
+    boot_again(State);
+again(First, #instance{choice = Choice} = State, Ask) ->
+    requests(First ++ cb_reset:requests(Choice), State, Ask).
+
+requests([], State, _Ask) ->
+    {ok, State};
+requests([Request | Requests], State, Ask) ->
+    #instance{config = #{slow_timeout := Timeout}} = State,
+    case exchange(State, Request, Request, Timeout, Ask) of
+        {{ok, Child}, Next} when Request =:= fork ->
+            requests(Requests, Next#instance{child = Child}, Ask);
+        {{ok, _}, Next} ->
+            requests(Requests, Next, Ask);
+        {{error, Reason}, Next} ->
+            {{error, Reason}, Next#instance{down = Reason}}
+    end.
+
+%% The child writes its coverage counts and exits; the parent reports its end.
+end_child(#instance{program = Program} = State) ->
+    case cb_program:request(Program, end_test, ?STOP_MS, fun(_, _) -> {error, ending} end) of
+        {{ok, _}, Next} ->
+            case cb_program:await_child_end(Next, ?STOP_MS) of
+                {child_ended, _} -> State#instance{program = Next, child = none};
+                {ended, _} -> buried(State#instance{program = Next});
+                timeout -> ended_by(kill, State#instance{program = Next})
+            end;
+        {{child_ended, _}, Next} ->
+            State#instance{program = Next, child = none};
+        {{ended, _}, Next} ->
+            buried(State#instance{program = Next});
+        {_, Next} ->
+            ended_by(kill, State#instance{program = Next})
+    end.
+
+shut_down(#instance{program = none}) ->
+    ok;
+shut_down(#instance{program = Program, child = none}) ->
+    cb_program:stop(Program, ?STOP_MS);
+shut_down(State) ->
+    case end_child(State) of
+        #instance{child = none} = Ended -> shut_down(Ended)
+    end.
