@@ -234,7 +234,10 @@ start_worker(#run{ref = Ref, space = Space, options = Options}, Check) ->
     Owner = self(),
     spawn_monitor(fun() ->
         OwnerDown = erlang:monitor(process, Owner),
-        Send = fun(Message) -> Owner ! {Ref, self(), Message} end,
+        Send = fun(Message) ->
+            _ = Owner ! {Ref, self(), Message},
+            ok
+        end,
         worker(Ref, OwnerDown, Space, Options, Check, Send)
     end).
 
@@ -243,7 +246,8 @@ worker(Ref, OwnerDown, Space, #{start := Start, stop := Stop} = Options, Check, 
         Context ->
             Send(ready),
             worker_loop(Ref, OwnerDown, Space, Options, fun(I) -> Check(I, Context) end, Send),
-            Stop(Context)
+            _ = Stop(Context),
+            ok
     catch
         Class:Reason:Stack -> Send({failed, {start, Class, Reason, Stack}})
     end.
