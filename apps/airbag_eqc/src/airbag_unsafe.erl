@@ -45,6 +45,8 @@ find(Options, Seed) ->
         {Pid, Found} ->
             true = demonitor(Monitor, [flush]),
             Found;
+        {'DOWN', Monitor, process, Pid, {Reason, Stack}} when is_list(Stack) ->
+            erlang:raise(error, Reason, Stack);
         {'DOWN', Monitor, process, Pid, Reason} ->
             error({search_ended, Reason})
     end.
@@ -52,6 +54,8 @@ find(Options, Seed) ->
 %% Sizes from the upper half: short sequences hold no failure. PropEr draws from the random state of
 %% this process, which it seeds before the set-up function runs.
 search(Options, Seed) ->
+    %% An airbag that cannot be started is told here, in its own words.
+    ok = airbag_eqc:begin_test(Options),
     Silent = airbag_eqc:safe(Options, fun(_, _) -> ok end),
     Seeded = proper:setup(fun() -> seed(Seed) end, Silent),
     Sizes = [{numtests, ?TESTS}, {start_size, 20}, {max_size, 42}],

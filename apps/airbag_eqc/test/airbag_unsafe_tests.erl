@@ -5,6 +5,7 @@ unsafe_test_() ->
     {setup, fun airbag_test_sut:port/0, fun(_) -> ok end, [
         {"the same seed finds the same failure", {timeout, 60, fun same/0}},
         {"it takes a flip, a repetition and a message", {timeout, 60, fun minimal/0}},
+        {"an airbag that cannot be started is no failure found", fun unstarted/0},
         {"one flip is enough where one message fires", {timeout, 60, fun one_needed/0}}
     ]}.
 
@@ -24,3 +25,11 @@ minimal() ->
 one_needed() ->
     [{bit_flip, [0, Bit]}, {sensor, [[X, 170]]}] = find(#{needed => 1}, 5),
     ?assertEqual(85, X bxor (1 bsl Bit)).
+
+unstarted() ->
+    ok = application:set_env(airbag_eqc, library, "/nowhere/libairbag.so"),
+    try
+        ?assertError({cb, {load, _, _}}, find(#{}, 1))
+    after
+        application:unset_env(airbag_eqc, library)
+    end.
