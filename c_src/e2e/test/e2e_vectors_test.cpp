@@ -197,7 +197,8 @@ void put_protect(const char *section, const std::string &profile, const json &v)
 
 void put_sequence(const json &columns, const json &v) {
     const std::string profile = v["profile"];
-    const json &names = columns[columns.contains(profile) ? profile : "other"];
+    const std::string kind = columns.contains(profile) ? profile : "other";
+    const json &names = columns[kind];
     json state = v["init"].is_null()
                      ? runner->ask({{"op", "check_init"}, {"profile", profile}})["state"]
                      : v["init"];
