@@ -10,6 +10,7 @@
 -spec init(term()) -> {ok, term()}.
 init(State) ->
     ok = check_command_line(init:get_plain_arguments()),
+    ok = code:add_pathsz(beside_link(file:read_link("_checkouts/rebar3_faultcheck"))),
     Provider = providers:create([
         {name, proper},
         {module, ?MODULE},
@@ -23,6 +24,15 @@ init(State) ->
                "hangs is a failed property, shrunk and stored like any other."}
     ]),
     {ok, rebar_state:add_provider(State, Provider)}.
+
+%% A project made by `faultcheck new' has a link to the plugin of its FaultCheck, installed or a
+%% clone: the applications are beside it. In the clone itself they are the project's own.
+beside_link({ok, Plugin}) ->
+    Installed = filename:dirname(Plugin),
+    Clone = filename:join(filename:dirname(Installed), "_build/default/lib"),
+    lists:append([filelib:wildcard(filename:join(Dir, "*/ebin")) || Dir <- [Installed, Clone]]);
+beside_link({error, _}) ->
+    [].
 
 %% rebar3 would answer a wrong option with status 1 and no suggestion. Where the whole command
 %% line is ours, it is read before rebar3 does.
@@ -54,7 +64,8 @@ do(State) ->
     end.
 
 missing() ->
-    "FaultCheck is not on the code path: set ERL_LIBS to its lib/faultcheck, or run faultcheck proper".
+    "FaultCheck is not on the code path: set ERL_LIBS to its lib/faultcheck, or run"
+    " `faultcheck proper'".
 
 %% From the command line, then from proper_opts in rebar.config.
 options(State) ->

@@ -17,6 +17,7 @@
     journal_append/2,
     kill/2,
     setenv/2,
+    interrupt_as_term/0,
     load_error/0
 ]).
 -export_type([session/0, journal/0, reply/0]).
@@ -61,6 +62,10 @@ kill(_OsPid, _Signal) -> missing().
 
 -spec setenv(unicode:chardata(), unicode:chardata()) -> ok.
 setenv(_Name, _Value) -> missing().
+
+%% @doc From now on this VM takes SIGINT (Ctrl-C) for SIGTERM, which Erlang code can handle.
+-spec interrupt_as_term() -> ok | {error, atom()}.
+interrupt_as_term() -> missing().
 
 %% @doc Why the native functions are not there; `none' if they are.
 -spec load_error() -> none | {load, file:filename(), {dlerror, string()}}.

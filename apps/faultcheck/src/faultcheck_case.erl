@@ -112,7 +112,7 @@ shrink_entry(_, Value) -> Value.
 number(none) -> null;
 number(Value) -> Value.
 
-term_text(Term) -> unicode:characters_to_binary(io_lib:format("~0ltp", [Term])).
+term_text(Term) -> unicode:characters_to_binary(io_lib:format("~0lp", [Term])).
 
 %% @doc Reads a case from its folder or its case.json. The error is a line for the user.
 -spec read(file:filename()) -> {ok, 'case'()} | {error, string()}.
@@ -262,7 +262,7 @@ lines(CounterExample) ->
 value_lines(Value) ->
     case is_commands(Value) of
         true -> [text("~ts", [Line]) || Line <- faultcheck_pretty:commands(Value)];
-        false -> string:split(text("~ltp", [Value]), "\n", all)
+        false -> string:split(text("~lp", [Value]), "\n", all)
     end.
 
 text(Format, Args) -> lists:flatten(io_lib:format(Format, Args)).

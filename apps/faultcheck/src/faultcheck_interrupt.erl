@@ -1,4 +1,4 @@
-%% @doc Turns SIGTERM (and SIGINT, where the VM gets it) into a message, so that a run can end
+%% @doc Turns SIGTERM and SIGINT (Ctrl-C) into a message, so that a run can end
 %% its child VM and keep what it has stored. A second signal ends the VM at once.
 -module(faultcheck_interrupt).
 -behaviour(gen_event).
@@ -9,6 +9,7 @@
 %% @doc From now on the process gets the message faultcheck_interrupt.
 -spec install(pid()) -> ok.
 install(Pid) ->
+    _ = cb_nif:interrupt_as_term(),
     _ = gen_event:delete_handler(erl_signal_server, ?MODULE, gone),
     gen_event:swap_handler(erl_signal_server, {erl_signal_handler, []}, {?MODULE, Pid}).
 

@@ -14,6 +14,7 @@
 
 %% A timeout counts only if it repeats with ten times the limit.
 -define(PATIENCE, 10).
+-define(GRACE_MS, 1000).
 
 %% @doc The result of a job that ended How, in place of the one that it could not give.
 -spec result(how(), faultcheck_session:info(), faultcheck_property:job(), session()) -> found().
@@ -61,12 +62,15 @@ apart(Factor) ->
         {c_bridge, timeout_factor, Factor}
     ].
 
+%% The limit of the C bridge should strike first.
+patient(Limit, Factor) -> Limit * Factor + ?GRACE_MS.
+
 patience({hang, _}) -> ?PATIENCE;
 patience({dead, _}) -> 1.
 
 job(Task, Factor, Job) ->
     Limit = maps:get(limit, Job, 10000),
-    Again = Job#{task := Task, env => apart(Factor), limit => Limit * Factor * 2},
+    Again = Job#{task := Task, env => apart(Factor), limit => patient(Limit, Factor)},
     maps:without([time, stats], Again).
 
 again(How, #{test := Number, size := Size} = Entry, Story, Job, Session) ->
@@ -192,7 +196,7 @@ timeout(#{test := Number, size := Size} = Failure, Job, Session) ->
     Patient = (maps:without([time, stats], Job))#{
         task := {confirm, Number, Size},
         env => [{c_bridge, timeout_factor, ?PATIENCE}],
-        limit => Limit * ?PATIENCE * 2
+        limit => patient(Limit, ?PATIENCE)
     },
     case faultcheck_session:run(Patient, Session) of
         {{result, #{status := passed}, _}, Next} ->

@@ -198,6 +198,7 @@ same(_, _) -> false.
 session(Jobs, Request, AtEnd) ->
     with_session(Request, fun(Run, Session) ->
         {Ended, Outcomes, Next} = properties(Jobs, Run, Session, []),
+        _ = Ended =:= interrupted andalso say("===> interrupted", [], Request),
         ok = AtEnd(Outcomes),
         Written = reports(Outcomes, Run),
         say("~ts", [lists:join($\n, faultcheck_report:summary(Outcomes))], Request),

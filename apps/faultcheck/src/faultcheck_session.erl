@@ -57,7 +57,7 @@ run(Job, #{child := Child} = Session) ->
         job => Job,
         began => Now,
         %% when to show progress next, and whether its line is on the screen now
-        next => Now + ?FIRST_PROGRESS_MS,
+        next => Now + first_interval(Session),
         open => false,
         %% what was printed last was no line end; PropEr's dots so far
         midline => false,
@@ -135,8 +135,9 @@ progress(Tests, Info, #{began := Began, next := Next, job := Job} = Shown, Sessi
     case Verbose andalso Now >= Next of
         true ->
             Line = faultcheck_report:progress(property(Job), Tests, Now - Began, goal(Job, Info)),
+            _ = maps:get(midline, Shown) andalso print("\n", Session),
             show_progress(Line, Terminal, Session),
-            Shown#{next := Now + interval(Terminal), open := Terminal};
+            Shown#{next := Now + interval(Terminal), open := Terminal, midline := false};
         false ->
             Shown
     end.
@@ -145,6 +146,9 @@ property(#{module := M, function := F}) -> {M, F}.
 
 goal(#{time := Seconds}, _) -> {ms, 1000 * Seconds};
 goal(_, Info) -> {tests, maps:get(numtests, Info, 1)}.
+
+first_interval(#{config := #{terminal := true}}) -> ?FIRST_PROGRESS_MS;
+first_interval(_) -> ?PROGRESS_MS.
 
 interval(true) -> 500;
 interval(false) -> ?PROGRESS_MS.

@@ -72,7 +72,7 @@ crash(Dir) ->
 hang(Dir) ->
     {Status, Text} = run(["-p", "prop_hang"], Dir),
     ?assertEqual(1, Status),
-    contains("300 ms", Text),
+    contains("150 ms", Text),
     #{shrunk := [Commands]} = the_case(Dir),
     ?assertEqual(10, sum(Commands)).
 

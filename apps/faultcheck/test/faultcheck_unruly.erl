@@ -55,7 +55,7 @@ property(How) ->
     ?SETUP(
         fun() ->
             {ok, Lib} = cb:start(unruly, [
-                {c_src, Source}, {transport, nif}, {reset, snapshot}, {timeout, 300}
+                {c_src, Source}, {transport, nif}, {reset, snapshot}, {timeout, 150}
             ]),
             fun() -> cb:stop(Lib) end
         end,

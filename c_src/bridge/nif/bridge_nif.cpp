@@ -209,6 +209,20 @@ ERL_NIF_TERM set_environment(ErlNifEnv *env, int, const ERL_NIF_TERM argv[]) {
     return atom_of(env, names::ok);
 }
 
+// Erlang has no way to hear of SIGINT: it opens the break menu of the VM, or ends it. SIGTERM it
+// hears.
+void end_politely(int) {
+    kill(getpid(), SIGTERM);
+}
+
+ERL_NIF_TERM interrupt_as_term(ErlNifEnv *env, int, const ERL_NIF_TERM[]) {
+    struct sigaction action = {};
+    action.sa_handler = end_politely;
+    action.sa_flags = SA_RESTART;
+    return sigaction(SIGINT, &action, nullptr) == 0 ? atom_of(env, names::ok)
+                                                    : posix_error(env, errno);
+}
+
 int open_types(ErlNifEnv *env, ErlNifResourceFlags flags) {
     session_type = enif_open_resource_type(env, nullptr, "c_bridge_session", destroy<NifSession>,
                                            flags, nullptr);
@@ -238,6 +252,7 @@ ErlNifFunc functions[] = {
     {"journal_append", 2, journal_append, 0},
     {"kill", 2, send_signal, 0},
     {"setenv", 2, set_environment, 0},
+    {"interrupt_as_term", 0, interrupt_as_term, 0},
 };
 
 } // namespace
