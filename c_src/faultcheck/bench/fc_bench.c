@@ -1,6 +1,7 @@
 /* fc_bench.c: what a probe and a channel cost. */
 #include "faultcheck_packet_wrapper.h"
 #include "faultcheck_wrapper.h"
+#include "handle.h"
 #include "slices.h"
 
 #include <stdint.h>
@@ -51,5 +52,9 @@ int main(void) {
     bench_print("probe_idle_name_ns", bench_ns(idle_by_name), "ns", "hash_of_name_ns", hash_ns);
     bench_print("probe_active_name_ns", bench_ns(active_by_name), "ns", "hash_of_name_ns", hash_ns);
     bench_print("packet_ns", bench_ns(put_and_get), "ns", "hash_of_name_ns", hash_ns);
+    bench_print("probe_idle_handle_ns", bench_ns(idle_by_handle), "ns", "hash_of_name_ns", hash_ns);
+    faultcheck_addFaultOffset("yaw", 1);
+    bench_print("probe_active_handle_ns", bench_ns(active_by_handle), "ns", "hash_of_name_ns",
+                hash_ns);
     return 0;
 }

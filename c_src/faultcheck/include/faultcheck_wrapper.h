@@ -1,5 +1,4 @@
-/* faultcheck_wrapper.h: probes and their faults, source compatible with the fault injector of the
- * thesis.
+/* faultcheck_wrapper.h: probes and their faults, as in the fault injector of the thesis.
  *
  * Everything here acts on the default context of fc.h. Identifiers are byte strings compared
  * exactly; NULL equals "". A call that cannot do what it says has no effect; fc_last_error() and

@@ -1,21 +1,10 @@
-// The faults and triggers of fc.h.
+// Faults on channels, and finding and removing faults.
 #include "arming.h"
-
-#include <limits>
 
 namespace {
 
 using fc::ChannelModel;
 using fc::ChannelModelKind;
-using fc::Model;
-using fc::ModelKind;
-using fc::TriggerChange;
-
-fc_fault_id add_model(fc_context *ctx, const char *id, ModelKind kind, double value) {
-    Model model{kind};
-    model.value = value;
-    return fc::add_probe_fault(fc::context_of(ctx), id, model, FC_OK, "");
-}
 
 fc_fault_id add_budget(fc_context *ctx, const char *channel, ChannelModelKind kind,
                        int64_t packets) {
@@ -29,30 +18,6 @@ fc_fault_id add_budget(fc_context *ctx, const char *channel, ChannelModelKind ki
 
 extern "C" {
 
-fc_fault_id fc_add_bitflip(fc_context *ctx, const char *id, int bit) {
-    return fc::add_bitflip(fc::context_of(ctx), id, bit, std::numeric_limits<int>::max());
-}
-
-fc_fault_id fc_add_bitflip_random(fc_context *ctx, const char *id) {
-    return add_model(ctx, id, ModelKind::bitflip_random, 0);
-}
-
-fc_fault_id fc_add_stuck(fc_context *ctx, const char *id) {
-    return add_model(ctx, id, ModelKind::stuck, 0);
-}
-
-fc_fault_id fc_add_amplification(fc_context *ctx, const char *id, double factor) {
-    return add_model(ctx, id, ModelKind::amplification, factor);
-}
-
-fc_fault_id fc_add_offset(fc_context *ctx, const char *id, double constant) {
-    return add_model(ctx, id, ModelKind::offset, constant);
-}
-
-fc_fault_id fc_add_set_to(fc_context *ctx, const char *id, double value) {
-    return add_model(ctx, id, ModelKind::set_to, value);
-}
-
 fc_fault_id fc_latest(fc_context *ctx, const char *id) {
     return fc::latest_fault(fc::context_of(ctx), fc::Space::probes, id);
 }
@@ -65,16 +30,12 @@ void fc_remove_all_probe_faults(fc_context *ctx) {
     fc::remove_all_probe_faults(fc::context_of(ctx));
 }
 
-int fc_trigger_after(fc_context *ctx, fc_fault_id fault, uint64_t calls) {
-    return fc::change_trigger(fc::context_of(ctx), fault, {TriggerChange::after, calls, 0});
+int fc_enable(fc_context *ctx, fc_fault_id fault, bool enabled) {
+    return fc::enable_fault(fc::context_of(ctx), fault, enabled);
 }
 
-int fc_trigger_once_after(fc_context *ctx, fc_fault_id fault, uint64_t calls) {
-    return fc::change_trigger(fc::context_of(ctx), fault, {TriggerChange::once_after, calls, 0});
-}
-
-int fc_trigger_duration(fc_context *ctx, fc_fault_id fault, int64_t calls) {
-    return fc::change_trigger(fc::context_of(ctx), fault, {TriggerChange::duration, 0, calls});
+int fc_remove(fc_context *ctx, fc_fault_id fault) {
+    return fc::remove_fault(fc::context_of(ctx), fault);
 }
 
 fc_fault_id fc_channel_add_corruption(fc_context *ctx, const char *channel, int byte, int bit) {

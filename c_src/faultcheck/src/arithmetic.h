@@ -11,12 +11,12 @@ namespace fc {
 
 inline double compute(const Model &model, double x) {
     switch (model.kind) {
-    case ModelKind::offset:
-        return x + model.value;
-    case ModelKind::amplification:
-        return x * model.value;
+    case FC_OFFSET:
+        return x + model.a;
+    case FC_AMPLIFICATION:
+        return x * model.a;
     default:
-        return model.value;
+        return model.a;
     }
 }
 
@@ -27,11 +27,11 @@ inline bool is_exact_operand(double value) {
 }
 
 inline Int128 compute_exact(const Model &model, Int128 x) {
-    const Int128 operand = static_cast<std::int64_t>(model.value);
+    const Int128 operand = static_cast<std::int64_t>(model.a);
     switch (model.kind) {
-    case ModelKind::offset:
+    case FC_OFFSET:
         return x + operand;
-    case ModelKind::amplification:
+    case FC_AMPLIFICATION:
         return x * operand;
     default:
         return operand;
@@ -41,7 +41,7 @@ inline Int128 compute_exact(const Model &model, Int128 x) {
 // FC_OK, or FC_E_VALUE with the value left as it was.
 template <class T> int apply_arithmetic(const Model &model, T *value) {
     if constexpr (std::is_integral_v<T> && sizeof(T) == 8) {
-        if (is_exact_operand(model.value)) {
+        if (is_exact_operand(model.a)) {
             *value = saturate<T>(compute_exact(model, static_cast<Int128>(*value)));
             return FC_OK;
         }

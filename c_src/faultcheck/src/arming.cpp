@@ -1,5 +1,7 @@
 #include "arming.h"
 
+#include "call_inputs.h"
+
 #include <algorithm>
 #include <new>
 
@@ -46,6 +48,14 @@ template <class Faults> void make_room(Faults &faults) {
         faults.reserve(2 * faults.size() + 1);
 }
 
+// Under the probe's lock, after any change of its faults.
+void note_wants(Probe &probe) {
+    probe.wants_inputs =
+        std::any_of(probe.faults.begin(), probe.faults.end(), [](const ProbeFault &fault) {
+            return wants_time(fault.run.trigger, fault.model) || wants_predicate(fault.run.trigger);
+        });
+}
+
 fc_fault_id arm_probe(fc_context &context, const Name &name, const Model &model) {
     const Arming armed(context.arming);
     Probe &probe = context.probe(name);
@@ -57,6 +67,7 @@ fc_fault_id arm_probe(fc_context &context, const Name &name, const Model &model)
         make_room(probe.faults);
         context.faults.emplace(fault.id, FaultPlace{&probe, nullptr});
         probe.faults.push_back(std::move(fault));
+        note_wants(probe);
         probe.set_flag(Probe::kArmed);
     }
     probe.listed = true;
@@ -135,6 +146,7 @@ template <class Change> bool with_fault(fc_context &context, fc_fault_id id, Cha
         const Hold hold(probe->lock);
         ProbeFault &fault = *find_in(probe->faults, id);
         change(fault, fault.run);
+        note_wants(*probe);
     } else {
         const Hold hold(context.traffic);
         ChannelFault &fault = *find_in(place->second.channel->faults, id);
@@ -146,7 +158,10 @@ template <class Change> bool with_fault(fc_context &context, fc_fault_id id, Cha
 }
 
 bool change_locked(fc_context &context, fc_fault_id id, const TriggerChange &change) {
-    return with_fault(context, id, [&change](Fault &, FaultRun &run) { change.apply(run); });
+    return with_fault(context, id, [&change](Fault &, FaultRun &run) {
+        change.apply(run.trigger);
+        run.state.end_window();
+    });
 }
 
 template <class Record> void disarm(fc_context &context, Record &record) {
@@ -158,6 +173,7 @@ template <class Record> void disarm(fc_context &context, Record &record) {
 void disarm_probe(fc_context &context, Probe &probe) {
     const Hold hold(probe.lock);
     disarm(context, probe);
+    note_wants(probe);
     probe.clear_flag(Probe::kArmed);
 }
 
@@ -170,6 +186,7 @@ void remove_locked(fc_context &context, fc_fault_id id, const FaultPlace &place)
     if (Probe *probe = place.probe) {
         const Hold hold(probe->lock);
         probe->faults.erase(find_in(probe->faults, id));
+        note_wants(*probe);
         if (probe->faults.empty())
             probe->clear_flag(Probe::kArmed);
     } else {
@@ -181,19 +198,42 @@ void remove_locked(fc_context &context, fc_fault_id id, const FaultPlace &place)
 
 } // namespace
 
-void TriggerChange::apply(FaultRun &run) const {
+void TriggerChange::apply(Trigger &trigger) const {
     switch (kind) {
     case after:
-        run.trigger.after(calls);
+        trigger.after(calls);
         break;
     case once_after:
-        run.trigger.once_after(calls);
+        trigger.once_after(calls);
         break;
     case duration:
-        run.trigger.duration = limit < 0 ? Trigger::kForever : limit;
+        trigger.duration = limit < 0 ? Trigger::kForever : limit;
+        break;
+    case time:
+        trigger.conditions |= Trigger::kTime;
+        trigger.start = now;
+        trigger.delay = delay;
+        trigger.length = limit;
+        break;
+    case random:
+        trigger.conditions |= Trigger::kRandom;
+        trigger.probability = probability;
+        break;
+    case periodic:
+        trigger.conditions |= Trigger::kPeriodic;
+        trigger.period = calls;
+        trigger.active = active;
+        trigger.passed = 0;
+        break;
+    case when:
+        trigger.conditions |= Trigger::kWhen;
+        trigger.predicate = predicate;
+        trigger.user = user;
+        break;
+    case none:
+        trigger = Trigger();
         break;
     }
-    run.state.end_window();
 }
 
 fc_fault_id add_probe_fault(fc_context &context, const char *id, const Model &model, int refusal,
@@ -209,12 +249,17 @@ fc_fault_id add_channel_fault(fc_context &context, const char *channel, const Ch
 }
 
 fc_fault_id add_bitflip(fc_context &context, const char *id, std::int64_t bit, std::int64_t most) {
-    Model model{ModelKind::bitflip};
-    model.bit = bit;
+    const Model model{FC_BITFLIP, 0, 0, bit};
     const Text why = format("bit %lld is not one of 0..%lld", static_cast<long long>(bit),
                             static_cast<long long>(most));
     return add_probe_fault(context, id, model, bit >= 0 && bit <= most ? FC_OK : FC_E_BIT,
                            why.c_str());
+}
+
+fc_fault_id add_model(fc_context &context, const char *id, const Model &model) {
+    const char *why = "";
+    const int refusal = check_model(model, &why);
+    return add_probe_fault(context, id, model, refusal, why);
 }
 
 fc_fault_id latest_fault(fc_context &context, Space space, const char *id) {
@@ -269,32 +314,26 @@ void remove_all_channel_faults(fc_context &context) {
         disarm_channel(context, *channel);
 }
 
-} // namespace fc
-
-extern "C" {
-
-int fc_enable(fc_context *ctx, fc_fault_id fault, bool enabled) {
-    fc_context &context = fc::context_of(ctx);
+int enable_fault(fc_context &context, fc_fault_id id, bool enabled) {
     bool found;
     {
-        const fc::Arming armed(context.arming);
-        found = fc::with_fault(context, fault,
-                               [enabled](fc::Fault &f, fc::FaultRun &) { f.enabled = enabled; });
+        const Arming armed(context.arming);
+        found = with_fault(context, id,
+                           [enabled](Fault &fault, FaultRun &) { fault.enabled = enabled; });
     }
-    return found ? FC_OK : fc::report_no_fault(context, fault);
+    return found ? FC_OK : report_no_fault(context, id);
 }
 
-int fc_remove(fc_context *ctx, fc_fault_id fault) {
-    fc_context &context = fc::context_of(ctx);
+int remove_fault(fc_context &context, fc_fault_id id) {
     bool found;
     {
-        const fc::Arming armed(context.arming);
-        const auto place = context.faults.find(fault);
+        const Arming armed(context.arming);
+        const auto place = context.faults.find(id);
         found = place != context.faults.end();
         if (found)
-            fc::remove_locked(context, fault, fc::FaultPlace(place->second));
+            remove_locked(context, id, FaultPlace(place->second));
     }
-    return found ? FC_OK : fc::report_no_fault(context, fault);
+    return found ? FC_OK : report_no_fault(context, id);
 }
 
-} // extern "C"
+} // namespace fc

@@ -70,10 +70,11 @@ Text why_skipped(const Channel &channel, const ChannelFault &fault, std::size_t 
         static_cast<long long>(fault.model.index), size);
 }
 
-void walk_faults(Channel &channel, std::size_t receiver, Transit &transit, Reports &reports) {
+void walk_faults(Channel &channel, std::size_t receiver, const CallInputs &inputs, Transit &transit,
+                 Reports &reports) {
     for (ChannelFault &fault : channel.faults) {
         FaultRun &run = fault.runs[receiver];
-        if (!run.advance(fault.enabled))
+        if (!run.advance(fault.enabled, inputs, fault.random))
             continue;
         if (!transit.present) {
             ++run.counts.idle;
@@ -131,7 +132,7 @@ int get_through_faults(Channel &channel, std::size_t receiver, char *data, std::
     try {
         Reports met;
         Transit transit(channel.receivers[receiver].queue);
-        walk_faults(channel, receiver, transit, met);
+        walk_faults(channel, receiver, CallInputs(), transit, met);
         if (transit.present && transit.current.size() > capacity) {
             before.restore();
             return need_space(channel, transit.current.size(), capacity, len, reports);

@@ -56,11 +56,11 @@ void faultcheck_packet_addFaultRepeat(const char *identifier, int numPackets) {
 
 void faultcheck_packet_setTriggerOnceAfterIterations(const char *identifier,
                                                      unsigned long iterations) {
-    change_latest(identifier, {TriggerChange::once_after, iterations, 0});
+    change_latest(identifier, {TriggerChange::once_after, iterations});
 }
 
 void faultcheck_packet_setTriggerAfterIterations(const char *identifier, unsigned long iterations) {
-    change_latest(identifier, {TriggerChange::after, iterations, 0});
+    change_latest(identifier, {TriggerChange::after, iterations});
 }
 
 void faultcheck_packet_setDurationAfterTrigger(const char *identifier, int iterations) {

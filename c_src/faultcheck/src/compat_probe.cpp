@@ -43,11 +43,11 @@ void faultcheck_addFaultSetTo(const char *identifier, double value) {
 }
 
 void faultcheck_setTriggerOnceAfterIterations(const char *identifier, unsigned long iterations) {
-    change_latest(identifier, {TriggerChange::once_after, iterations, 0});
+    change_latest(identifier, {TriggerChange::once_after, iterations});
 }
 
 void faultcheck_setTriggerAfterIterations(const char *identifier, unsigned long iterations) {
-    change_latest(identifier, {TriggerChange::after, iterations, 0});
+    change_latest(identifier, {TriggerChange::after, iterations});
 }
 
 void faultcheck_setDurationAfterTrigger(const char *identifier, int iterations) {

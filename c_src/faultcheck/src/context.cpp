@@ -85,6 +85,7 @@ void fc_context::reset() {
     faults.clear();
     next_fault = 1;
     seed = first_seed;
+    clock.reset();
     error_count.store(0, std::memory_order_relaxed);
 }
 
@@ -154,6 +155,18 @@ void fc_seed(fc_context *ctx, uint64_t seed) {
     fc_context &context = fc::context_of(ctx);
     const std::lock_guard<std::mutex> hold(context.arming);
     context.reseed(seed);
+}
+
+void fc_set_clock(fc_context *ctx, fc_clock_fn clock, void *user) {
+    fc::context_of(ctx).clock.use(clock, user);
+}
+
+void fc_advance(fc_context *ctx, int64_t ns) {
+    fc::context_of(ctx).clock.advance(ns);
+}
+
+int64_t fc_now(fc_context *ctx) {
+    return fc::context_of(ctx).clock.now();
 }
 
 void fc_set_error_callback(fc_context *ctx, fc_error_fn on_error, void *user) {

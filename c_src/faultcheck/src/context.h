@@ -2,6 +2,7 @@
 #pragma once
 
 #include "channel.h"
+#include "clock.h"
 #include "name_table.h"
 #include "probe.h"
 
@@ -30,6 +31,7 @@ struct fc_context {
     fc::NameTable<fc::Probe> probes;
     fc::NameTable<fc::Channel> channels;
     std::atomic<std::uint64_t> error_count{0};
+    fc::Clock clock;
 
     // Everything that arms, disarms or lists. Guards the tables' writers and the members below it.
     std::mutex arming;

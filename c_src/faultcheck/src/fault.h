@@ -29,8 +29,8 @@ struct FaultRun {
     std::uint64_t budget = 0; // DROP, REPEAT: packets left
 
     // One call passes the fault. True when it is to be applied.
-    bool advance(bool enabled) {
-        active = enabled && trigger.advance();
+    bool advance(bool enabled, const CallInputs &inputs, RandomStream &random) {
+        active = enabled && trigger.advance(inputs, random);
         if (!active) {
             state.end_window();
             return false;

@@ -1,23 +1,13 @@
-// What a fault on a value does: the model's name and its parameters.
+// What a fault on a value does, and whether its parameters make sense.
 #pragma once
 
-#include <cstdint>
+#include "fc.h"
 
 namespace fc {
 
-enum class ModelKind : std::uint8_t {
-    bitflip,
-    bitflip_random,
-    stuck,
-    amplification,
-    offset,
-    set_to,
-};
+using Model = fc_model;
 
-struct Model {
-    ModelKind kind;
-    std::int64_t bit = 0; // bitflip
-    double value = 0;     // factor, constant, value
-};
+// FC_OK, or FC_E_BIT or FC_E_ARG with the reason in *why.
+int check_model(const Model &model, const char **why);
 
 } // namespace fc

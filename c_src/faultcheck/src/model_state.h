@@ -13,28 +13,47 @@ namespace fc {
 // an unaffected call.
 class ModelState {
   public:
+    // Per probed type: an identifier may be probed as several.
+    struct OfType {
+        fc_type type;
+        std::string held;                 // STUCK, RAMP, DROPOUT
+        std::vector<std::string> history; // DELAY: a ring of at most n inputs
+        std::uint64_t inputs = 0;         // DELAY: so far
+    };
+
     void end_window() {
-        if (!held_.empty())
-            held_.clear();
+        if (open_) {
+            open_ = false;
+            calls_ = 0;
+            of_types_.clear();
+        }
     }
 
-    // The value that entered at the window's first affected call of this type, or null before it.
-    const std::string *held(fc_type type) const {
-        for (const Held &entry : held_)
+    // An affected call passes: returns k, the number of those before it in the window.
+    std::uint64_t next_call() {
+        open_ = true;
+        return calls_++;
+    }
+
+    // Null before the window's first affected call of this type.
+    OfType *find(fc_type type) {
+        for (OfType &entry : of_types_)
             if (entry.type == type)
-                return &entry.bytes;
+                return &entry;
         return nullptr;
     }
-    void hold(fc_type type, const void *bytes, std::size_t size) {
-        held_.push_back({type, std::string(static_cast<const char *>(bytes), size)});
+    OfType &add(fc_type type, const void *bytes, std::size_t size) {
+        open_ = true;
+        of_types_.push_back({type, std::string(static_cast<const char *>(bytes), size), {}, 0});
+        return of_types_.back();
     }
 
+    std::int64_t first_time = 0; // DRIFT_TIMED: of the window's first call
+
   private:
-    struct Held {
-        fc_type type;
-        std::string bytes;
-    };
-    std::vector<Held> held_;
+    bool open_ = false;
+    std::uint64_t calls_ = 0;
+    std::vector<OfType> of_types_;
 };
 
 } // namespace fc

@@ -29,6 +29,7 @@ struct alignas(64) Probe {
     SpinLock lock;
     std::vector<ProbeFault> faults; // in the order of adding
     std::uint64_t calls = 0;        // while armed
+    bool wants_inputs = false;      // a fault asks for the time or a predicate
 
     // Under the context's arming lock.
     bool listed = false; // seen or armed since fc_new or fc_reset
@@ -40,6 +41,7 @@ struct alignas(64) Probe {
         faults.clear();
         set_states(kUnseen);
         calls = 0;
+        wants_inputs = false;
         listed = latest_refused = false;
         next_ordinal = 0;
     }

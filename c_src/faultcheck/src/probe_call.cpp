@@ -1,6 +1,7 @@
 #include "probe_call.h"
 
 #include "apply.h"
+#include "call_inputs.h"
 
 #include <new>
 
@@ -17,7 +18,7 @@ Text why_skipped(const Probe &probe, const ProbeFault &fault, fc_type type, int 
     switch (code) {
     case FC_E_BIT:
         return format("probe %s, fault %lld: the probed %s has no bit %lld, fault skipped",
-                      name.c_str(), id, kTypeNames[type], static_cast<long long>(fault.model.bit));
+                      name.c_str(), id, kTypeNames[type], static_cast<long long>(fault.model.n));
     case FC_E_VALUE:
         return format("probe %s, fault %lld: the result does not exist as %s, value left as it was",
                       name.c_str(), id, kTypeNames[type]);
@@ -35,11 +36,16 @@ __attribute__((noinline, cold)) void note_skipped(const Probe &probe, ProbeFault
 }
 
 // Under the probe's lock.
-template <class T> void walk_faults(Probe &probe, T *value, Reports &reports) {
+template <class T>
+__attribute__((always_inline)) inline void walk_faults(Probe &probe, const CallInputs &inputs,
+                                                       T *value, Reports &reports) {
+    if (!probe.faults.empty())
+        ++probe.calls;
     for (ProbeFault &fault : probe.faults) {
-        if (!fault.run.advance(fault.enabled))
+        if (!fault.run.advance(fault.enabled, inputs, fault.random))
             continue;
-        const int code = apply(fault.model, fault.run.state, fault.random, value);
+        const int code =
+            apply(FaultCall{fault.model, fault.run.state, fault.random, inputs}, value);
         if (code != FC_OK)
             note_skipped(probe, fault, TypeOf<T>::value, code, reports);
     }
@@ -52,6 +58,36 @@ int deliver(fc_context &context, const Reports &reports) {
 
 int report_null(fc_context &context, const char *id) {
     return report(context, FC_E_ARG, format("probe %s: value is NULL", quoted(id).c_str()));
+}
+
+// The faults may change between the asking and the call, so this asks until nothing new is wanted.
+template <class T>
+__attribute__((noinline)) void probe_with_inputs(fc_context &context, Probe &probe, T *value,
+                                                 Reports &reports) {
+    InputGatherer gatherer;
+    for (;;) {
+        {
+            const std::lock_guard<SpinLock> hold(probe.lock);
+            for (const ProbeFault &fault : probe.faults)
+                gatherer.want(fault.run.trigger, fault.model);
+            if (gatherer.complete()) {
+                walk_faults(probe, gatherer.inputs(), value, reports);
+                return;
+            }
+        }
+        gatherer.gather(context.clock);
+    }
+}
+
+constexpr CallInputs kNoInputs;
+
+// True when the call is done.
+template <class T> bool probe_without_inputs(Probe &probe, T *value, Reports &reports) {
+    const std::lock_guard<SpinLock> hold(probe.lock);
+    if (probe.wants_inputs)
+        return false;
+    walk_faults(probe, kNoInputs, value, reports);
+    return true;
 }
 
 // The identifier is listed from now on.
@@ -71,12 +107,8 @@ template <class T> int probe_armed(fc_context &context, Probe &probe, T *value) 
         return report_null(context, probe.name.text().c_str());
     try {
         Reports reports;
-        {
-            const std::lock_guard<SpinLock> hold(probe.lock);
-            if (!probe.faults.empty())
-                ++probe.calls;
-            walk_faults(probe, value, reports);
-        }
+        if (!probe_without_inputs(probe, value, reports))
+            probe_with_inputs(context, probe, value, reports);
         return reports.empty() ? FC_OK : deliver(context, reports);
     } catch (const std::bad_alloc &) {
         return report_no_memory(context);

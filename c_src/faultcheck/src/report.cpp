@@ -135,6 +135,12 @@ const char *fc_error_name(int code) {
         return "FC_E_SPACE";
     case FC_E_RECEIVER:
         return "FC_E_RECEIVER";
+    case FC_E_BLOCKED:
+        return "FC_E_BLOCKED";
+    case FC_E_IO:
+        return "FC_E_IO";
+    case FC_E_FORMAT:
+        return "FC_E_FORMAT";
     default:
         return "FC_E_UNKNOWN";
     }

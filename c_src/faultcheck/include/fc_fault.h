@@ -1,0 +1,94 @@
+/* fc_fault.h: the fault models and arming them on probes. Part of fc.h. */
+#ifndef FC_FAULT_H
+#define FC_FAULT_H
+
+#include "fc_context.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* x is the value entering the fault. A window starts at the first affected call after arming,
+ * after a change of the trigger or after an unaffected call; k is the number of affected calls
+ * before this one in the window. Integers are computed in double, truncated toward zero and
+ * saturated at the type's limits; 64-bit integers with an integral parameter of OFFSET,
+ * AMPLIFICATION and SET_TO exactly. */
+typedef enum {
+    FC_BITFLIP,        /* bit n; 0 is the least significant */
+    FC_BITFLIP_RANDOM, /* one bit, drawn anew */
+    FC_STUCK,          /* the value of the window's first call, per type */
+    FC_STUCK_BIT,      /* bit n is a (0 or 1) */
+    FC_AMPLIFICATION,  /* x * a */
+    FC_OFFSET,         /* x + a */
+    FC_SET_TO,         /* a */
+    FC_NOISE_UNIFORM,  /* x + a * (2 * unit - 1) */
+    FC_NOISE_GAUSS,    /* x + a * gauss */
+    FC_RANDOM_OFFSET,  /* x + a + (b - a) * unit */
+    FC_DRIFT,          /* x + a * (k + 1), the drift limited to +-b */
+    FC_DRIFT_TIMED,    /* x + a * seconds since the window's first call, limited to +-b */
+    FC_RAMP,           /* from the window's first x to a in n calls */
+    FC_DELAY,          /* the input n affected calls ago; before that the window's first input */
+    FC_QUANTISE,       /* a * floor(x / a + 0.5) */
+    FC_DEAD_ZONE,      /* a if abs(x - a) < b */
+    FC_SATURATE,       /* a <= x <= b */
+    FC_OSCILLATE,      /* x + a * sin(2 * pi * k / n) */
+    FC_DROPOUT,        /* with probability a, by mode n: FC_HOLD, FC_ZERO or FC_NAN */
+    FC_SPIKE           /* with probability a: x + b or x - b */
+} fc_model_kind;
+
+enum {
+    FC_HOLD = 0, /* the last value that got through; the first input if none did */
+    FC_ZERO = 1,
+    FC_NAN = 2 /* floats only */
+};
+
+typedef struct {
+    fc_model_kind kind;
+    double a;
+    double b;
+    int64_t n;
+} fc_model;
+
+/* A fault id; FC_E_NOMEM; FC_E_BIT for a bit below 0; FC_E_ARG for a parameter outside its range:
+ * n >= 0 for DELAY, n >= 1 for RAMP and OSCILLATE, a > 0 for QUANTISE, 0 <= a <= 1 for DROPOUT and
+ * SPIKE, a <= b for SATURATE and RANDOM_OFFSET, b >= 0 for DRIFT, a NaN except in AMPLIFICATION,
+ * OFFSET and SET_TO. */
+FC_API fc_fault_id fc_add_model(fc_context *ctx, const char *id, const fc_model *model);
+
+/* The same, model by model. */
+FC_API fc_fault_id fc_add_bitflip(fc_context *ctx, const char *id, int bit);
+FC_API fc_fault_id fc_add_bitflip_random(fc_context *ctx, const char *id);
+FC_API fc_fault_id fc_add_stuck(fc_context *ctx, const char *id);
+FC_API fc_fault_id fc_add_stuck_bit(fc_context *ctx, const char *id, int bit, bool value);
+FC_API fc_fault_id fc_add_amplification(fc_context *ctx, const char *id, double factor);
+FC_API fc_fault_id fc_add_offset(fc_context *ctx, const char *id, double constant);
+FC_API fc_fault_id fc_add_set_to(fc_context *ctx, const char *id, double value);
+FC_API fc_fault_id fc_add_noise_uniform(fc_context *ctx, const char *id, double amplitude);
+FC_API fc_fault_id fc_add_noise_gauss(fc_context *ctx, const char *id, double deviation);
+FC_API fc_fault_id fc_add_random_offset(fc_context *ctx, const char *id, double low, double high);
+/* limit: INFINITY for none. */
+FC_API fc_fault_id fc_add_drift(fc_context *ctx, const char *id, double per_call, double limit);
+FC_API fc_fault_id fc_add_drift_timed(fc_context *ctx, const char *id, double per_second,
+                                      double limit);
+FC_API fc_fault_id fc_add_ramp(fc_context *ctx, const char *id, double target, int64_t calls);
+FC_API fc_fault_id fc_add_delay(fc_context *ctx, const char *id, int64_t calls);
+FC_API fc_fault_id fc_add_quantise(fc_context *ctx, const char *id, double step);
+FC_API fc_fault_id fc_add_dead_zone(fc_context *ctx, const char *id, double centre, double width);
+FC_API fc_fault_id fc_add_saturate(fc_context *ctx, const char *id, double low, double high);
+FC_API fc_fault_id fc_add_oscillate(fc_context *ctx, const char *id, double amplitude,
+                                    int64_t calls);
+FC_API fc_fault_id fc_add_dropout(fc_context *ctx, const char *id, double probability, int mode);
+FC_API fc_fault_id fc_add_spike(fc_context *ctx, const char *id, double probability, double height);
+
+/* The fault added last to id, or FC_E_NO_FAULT if there is none or the latest was refused. */
+FC_API fc_fault_id fc_latest(fc_context *ctx, const char *id);
+
+/* Disarm one identifier, or all. */
+FC_API void fc_remove_probe_faults(fc_context *ctx, const char *id);
+FC_API void fc_remove_all_probe_faults(fc_context *ctx);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
