@@ -43,7 +43,7 @@ enum {
 };
 
 typedef struct {
-    fc_model_kind kind;
+    int kind; /* fc_model_kind */
     double a;
     double b;
     int64_t n;
