@@ -244,6 +244,7 @@ the_log_can_be_kept_test() ->
     Log = cb_files:fresh_name("cb_port_tests", ".log"),
     Lib = cb_sut:start("printer.c", [{log, Log}]),
     cb:call(Lib, say, [<<"kept">>]),
+    ?assertEqual(2, cb:call(Lib, say_bytes, [])),
     ok = cb:stop(Lib),
     {ok, Text} = file:read_file(Log),
     ok = file:delete(Log),

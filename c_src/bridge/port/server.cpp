@@ -26,6 +26,8 @@ const Name kHello{"hello"};
 const Name kFork{"fork"};
 const Name kEndTest{"end_test"};
 const Name kStop{"stop"};
+const Name kSymbolise{"symbolise"};
+const Name kFlushCoverage{"flush_coverage"};
 const Name kChild{"child"};
 const Name kExit{"exit"};
 const Name kSignal{"signal"};
@@ -111,6 +113,15 @@ Server::After Server::control(Term id, Term request, bool &taken) {
     return After::GoOn;
 }
 
+bool Server::concerns_parent(Term request) {
+    Term parts[2];
+    unsigned count = 0;
+    if (reader_.read_tuple(request, parts, 2, count)) {
+        return reader_.is_atom(parts[0], kSymbolise);
+    }
+    return reader_.is_atom(request, kFlushCoverage);
+}
+
 void Server::reply_ok(Term id) {
     writer_.begin();
     writer_.begin_tuple(3);
@@ -132,6 +143,9 @@ void Server::reply(Term id, Term request) {
         if (!greeted_) {
             fail("protocol", Tree::atom("hello_expected"));
         }
+        if (has_forked_ && !is_child_ && !concerns_parent(request)) {
+            fail("no_child"); // it was meant for a child that has ended; the parent stays as loaded
+        }
         begin(names::ok);
         dispatch(session_, reader_, request, writer_);
     } catch (const Error &error) {
@@ -152,6 +166,7 @@ void Server::fork_child(Term id) {
     }
     const pid_t parent = getpid();
     const pid_t child = fork();
+    has_forked_ = true;
     if (child > 0) {
         channel_.forget_input();
         return await_child(child);

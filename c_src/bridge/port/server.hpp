@@ -38,6 +38,7 @@ class Server {
 
     After serve(Term id, Term request);
     After control(Term id, Term request, bool &taken);
+    bool concerns_parent(Term request);
     void reply_ok(Term id);
     void reply(Term id, Term request);
     void fork_child(Term id);
@@ -54,6 +55,7 @@ class Server {
     Shared *shared_;
     bool greeted_ = false;
     bool is_child_ = false;
+    bool has_forked_ = false;
 };
 
 } // namespace cb

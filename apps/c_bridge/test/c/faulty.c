@@ -32,4 +32,8 @@ void die_by(int signal_number) {
     extern int raise(int);
     raise(signal_number);
 }
+int wait_ms(int ms) {
+    usleep((useconds_t)ms * 1000);
+    return ms;
+}
 int process(void) { return getpid(); }

@@ -8,6 +8,7 @@ int say(const char *text) {
     printf("out: %s", text);
     fflush(stdout);
     fprintf(stderr, "err: %s\n", text);
-    /* Bytes that look like a message of the port. */
-    return ++said + (write(1, "\0\0\0\4abcd", 8) == 8 ? 0 : 1000);
+    return ++said;
 }
+/* Bytes that look like a message of the port. */
+int say_bytes(void) { return write(1, "\0\0\0\4abcd", 8) == 8 ? ++said : -1; }
