@@ -92,10 +92,27 @@ void DebugInfo::index() {
         }
     }
     qualified_.clear();
+    imported_.clear();
 }
 
 void DebugInfo::index_unit(Dwarf_Die &unit) {
     index_scope(unit, "", in_cxx_unit(unit));
+    all_declared_ = true;
+    for (Dwarf_Die &die : waiting_) {
+        const bool function = dwarf_tag(&die) == DW_TAG_subprogram;
+        index_named(die, function ? functions_ : variables_, "", true);
+    }
+    all_declared_ = false;
+    waiting_.clear();
+}
+
+// A unit in the file that dwz -m made of what several files share, if it has not been met yet.
+// Units of this very file are met anyway.
+std::optional<Dwarf_Die> DebugInfo::foreign_unit(Dwarf_Die &import) {
+    auto unit = referenced_die(import, DW_AT_import);
+    const bool is_new = unit && dwarf_cu_getdwarf(unit->cu) != dwarf_cu_getdwarf(import.cu) &&
+                        imported_.insert(unit->addr).second;
+    return is_new ? unit : std::nullopt;
 }
 
 void DebugInfo::index_scope(Dwarf_Die &scope, const std::string &prefix, bool cxx) {
@@ -107,6 +124,11 @@ void DebugInfo::index_scope(Dwarf_Die &scope, const std::string &prefix, bool cx
         case DW_TAG_variable:
         case DW_TAG_member: // static members of classes
             index_named(die, variables_, prefix, cxx);
+            break;
+        case DW_TAG_imported_unit:
+            if (auto unit = foreign_unit(die)) {
+                index_scope(*unit, prefix, cxx);
+            }
             break;
         case DW_TAG_namespace: {
             const char *name = dwarf_diename(&die);
@@ -142,6 +164,10 @@ void DebugInfo::index_named(Dwarf_Die &die, Table &table, const std::string &pre
     const char *plain = text_attribute(die, DW_AT_name);
     std::string_view name = plain != nullptr ? plain : "";
     const auto known = origin ? qualified_.find(origin->addr) : qualified_.end();
+    if (origin && known == qualified_.end() && !all_declared_) {
+        waiting_.push_back(die);
+        return;
+    }
     if (known != qualified_.end()) {
         name = known->second;
     } else if (plain != nullptr && !prefix.empty()) {
@@ -191,6 +217,11 @@ void DebugInfo::index_types_of(Dwarf_Die &scope, const std::string &prefix) {
     each_child(scope, [&](Dwarf_Die &die) {
         const char *name = dwarf_diename(&die);
         switch (dwarf_tag(&die)) {
+        case DW_TAG_imported_unit:
+            if (auto unit = foreign_unit(die)) {
+                index_types_of(*unit, prefix);
+            }
+            break;
         case DW_TAG_namespace:
             index_types_of(die, name != nullptr ? prefix + name + "::" : prefix);
             break;

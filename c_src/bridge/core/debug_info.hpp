@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace cb {
@@ -78,6 +79,7 @@ class DebugInfo {
     DebugInfo() = default;
     void index();
     void index_unit(Dwarf_Die &unit);
+    std::optional<Dwarf_Die> foreign_unit(Dwarf_Die &import);
     void index_scope(Dwarf_Die &scope, const std::string &prefix, bool cxx);
     void index_named(Dwarf_Die &die, Table &table, const std::string &prefix, bool cxx);
     void index_types();
@@ -95,6 +97,11 @@ class DebugInfo {
     std::deque<std::string> kept_;
     // Qualified names of C++ declarations, for the definitions that refer to them.
     std::unordered_map<void *, std::string_view> qualified_;
+    // Definitions whose declaration had not been seen yet.
+    std::vector<Dwarf_Die> waiting_;
+    bool all_declared_ = false; // of the unit that is being indexed
+    // Units of a file that dwz made of what several files share, and that have been indexed.
+    std::unordered_set<void *> imported_;
 };
 
 } // namespace cb

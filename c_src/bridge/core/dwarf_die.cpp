@@ -68,6 +68,13 @@ std::optional<Dwarf_Die> referenced_die(Dwarf_Die &die, unsigned name) {
     if (!attribute || dwarf_formref_die(&*attribute, &target) == nullptr) {
         return std::nullopt;
     }
+    // A type in a unit of its own is represented by a declaration that carries its signature.
+    Dwarf_Attribute signature;
+    Dwarf_Die type;
+    if (dwarf_attr(&target, DW_AT_signature, &signature) != nullptr &&
+        dwarf_formref_die(&signature, &type) != nullptr) {
+        return type;
+    }
     return target;
 }
 

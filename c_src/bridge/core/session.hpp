@@ -125,6 +125,10 @@ class Session : public ConversionContext {
     std::unique_ptr<KnownFunction> find_function(const std::string &name);
     std::unique_ptr<KnownFunction> find_in_part(std::size_t part, const std::string &name,
                                                 std::optional<Tree> &refusal);
+    std::unique_ptr<KnownFunction> find_folded(std::size_t part, const std::string &name,
+                                               const std::vector<Dwarf_Die> &all);
+    std::unique_ptr<KnownFunction> make_function(const std::string &name, Dwarf_Die &die,
+                                                 FilePlace place);
     std::optional<Dwarf_Die> signature(const std::string &name) const;
     [[noreturn]] void unknown_function(const std::string &name) const;
 

@@ -17,9 +17,16 @@ Tree not_callable(const std::string &name, const char *why) {
     return Tree::tuple({Tree::atom("not_callable"), Tree::atom(name), Tree::atom(why)});
 }
 
+// Of a function in several pieces, the first is where it is entered (a cold piece has a symbol of
+// its own).
 std::uint64_t entry_address(Dwarf_Die &die) {
-    Dwarf_Addr address = 0;
-    return dwarf_entrypc(&die, &address) == 0 ? address : 0;
+    Dwarf_Addr base = 0;
+    Dwarf_Addr start = 0;
+    Dwarf_Addr end = 0;
+    if (dwarf_entrypc(&die, &start) == 0 || dwarf_ranges(&die, 0, &base, &start, &end) > 0) {
+        return start;
+    }
+    return 0;
 }
 
 // gcc marks copies of a function with another ABI by ".isra.0", ".constprop.0" or ".part.0". These
@@ -83,6 +90,7 @@ std::vector<Tree> linkage_names(std::vector<Dwarf_Die> found) {
             names.emplace_back(name);
         }
     }
+    std::sort(names.begin(), names.end());
     std::vector<Tree> trees;
     for (const std::string &name : names) {
         trees.push_back(Tree::atom(name));
@@ -144,11 +152,7 @@ std::unique_ptr<Session::KnownFunction> Session::find_function(const std::string
         }
     }
     if (auto prototype = signature(name)) {
-        auto known = std::make_unique<KnownFunction>();
-        known->place.symbol = name;
-        known->function =
-            std::make_unique<Function>(name, read_prototype(*prototype, types_), ffi_);
-        known->function->address = address_in_memory(known->place);
+        auto known = make_function(name, *prototype, FilePlace{0, 0, name});
         if (known->function->address != nullptr) {
             return known;
         }
@@ -168,6 +172,9 @@ Session::find_in_part(std::size_t part, const std::string &name, std::optional<T
     const std::vector<Dwarf_Die> all = info->functions(name);
     std::vector<Dwarf_Die> found = definitions(all);
     if (found.empty()) {
+        if (auto folded = find_folded(part, name, all)) {
+            return folded;
+        }
         if (!all.empty() && !refusal) {
             refusal = not_callable(name, "inlined");
         }
@@ -183,8 +190,29 @@ Session::find_in_part(std::size_t part, const std::string &name, std::optional<T
         refusal = not_callable(name, "abi_changed");
         return nullptr;
     }
+    return make_function(name, die, FilePlace{part, address, ""});
+}
+
+// Two exported functions with the same code may be one: then only a symbol is left of the other.
+std::unique_ptr<Session::KnownFunction>
+Session::find_folded(std::size_t part, const std::string &name, const std::vector<Dwarf_Die> &all) {
+    for (Dwarf_Die die : all) {
+        const char *linkage = text_attribute(die, DW_AT_linkage_name);
+        const std::string symbol = linkage != nullptr ? linkage : name;
+        void *address = LoadedLibrary::symbol_of(parts_[part].mapped, symbol.c_str());
+        if (address != nullptr && has_flag(die, DW_AT_external)) {
+            const auto in_memory = reinterpret_cast<std::uintptr_t>(address);
+            return make_function(name, die,
+                                 FilePlace{part, in_memory - parts_[part].mapped.bias, ""});
+        }
+    }
+    return nullptr;
+}
+
+std::unique_ptr<Session::KnownFunction> Session::make_function(const std::string &name,
+                                                               Dwarf_Die &die, FilePlace place) {
     auto known = std::make_unique<KnownFunction>();
-    known->place = FilePlace{part, address, ""};
+    known->place = std::move(place);
     known->function = std::make_unique<Function>(name, read_prototype(die, types_), ffi_);
     known->function->address = address_in_memory(known->place);
     return known;

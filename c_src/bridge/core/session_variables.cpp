@@ -89,9 +89,10 @@ void Session::step_member(TermReader &reader, Term path, Term step, const std::s
     Suggestions close(name);
     for (const Member &member : type->members) {
         if (member.name.text() == name) {
-            place.member = member;
-            if (member.bit_size == 0) {
-                place.address += member.bit_offset / 8;
+            const Member found = member; // `type` may be part of what is overwritten now
+            place.member = found;
+            if (found.bit_size == 0) {
+                place.address += found.bit_offset / 8;
                 place.member.bit_offset = 0;
             }
             return;

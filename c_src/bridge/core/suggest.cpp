@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace cb {
 
@@ -36,10 +37,12 @@ void Suggestions::offer(std::string_view candidate) {
     if (std::any_of(best_.begin(), best_.end(), same)) {
         return;
     }
-    const auto place = std::upper_bound(
-        best_.begin(), best_.end(), distance,
-        [](unsigned value, const Candidate &known) { return value < known.distance; });
-    best_.insert(place, Candidate{distance, std::string(candidate)});
+    const Candidate offered{distance, std::string(candidate)};
+    const auto closer = [](const Candidate &a, const Candidate &b) {
+        return std::tie(a.distance, a.name) < std::tie(b.distance, b.name);
+    };
+    const auto place = std::upper_bound(best_.begin(), best_.end(), offered, closer);
+    best_.insert(place, offered);
     if (best_.size() > kMostSuggestions) {
         best_.pop_back();
     }

@@ -5,6 +5,7 @@
 #include <dwarf.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace cb {
 
@@ -196,6 +197,47 @@ void TypeTable::read_enum(Dwarf_Die &die, Type &type) {
     });
 }
 
+namespace {
+
+// A constructor that takes another object of the class, or the destructor, written by hand.
+bool is_special_function(Dwarf_Die &function, const char *class_name) {
+    const char *name = dwarf_diename(&function);
+    if (name == nullptr || has_flag(function, DW_AT_artificial) ||
+        find_attribute(function, DW_AT_defaulted)) {
+        return false;
+    }
+    bool takes_another = false;
+    if (std::strcmp(name, class_name) == 0) {
+        const std::string own(class_name);
+        each_child(function, [&](Dwarf_Die &child) {
+            const std::string type = type_spelling(referenced_die(child, DW_AT_type));
+            takes_another = takes_another || type == own + " &" || type == "const " + own + " &" ||
+                            type == own + " &&";
+        });
+    }
+    return name[0] == '~' || takes_another;
+}
+
+// C++ passes such objects by reference, of which not every compiler leaves a word.
+bool not_trivially_copied(Dwarf_Die &die) {
+    if (auto convention = unsigned_attribute(die, DW_AT_calling_convention)) {
+        return *convention == DW_CC_pass_by_reference;
+    }
+    const char *name = text_attribute(die, DW_AT_name);
+    if (name == nullptr || !in_cxx_unit(die)) {
+        return false;
+    }
+    bool special = false;
+    each_child(die, [&](Dwarf_Die &child) {
+        const bool function = dwarf_tag(&child) == DW_TAG_subprogram;
+        special = special || (function && (is_special_function(child, name) ||
+                                           find_attribute(child, DW_AT_virtuality).has_value()));
+    });
+    return special;
+}
+
+} // namespace
+
 void TypeTable::read_aggregate(Dwarf_Die &die, Type &type) {
     Dwarf_Die complete = die;
     if (is_declaration(die)) {
@@ -210,8 +252,7 @@ void TypeTable::read_aggregate(Dwarf_Die &die, Type &type) {
     }
     type.kind = dwarf_tag(&complete) == DW_TAG_union_type ? Kind::Union : Kind::Struct;
     type.size = unsigned_attribute(complete, DW_AT_byte_size).value_or(0);
-    type.passed_by_reference = unsigned_attribute(complete, DW_AT_calling_convention).value_or(0) ==
-                               DW_CC_pass_by_reference;
+    type.passed_by_reference = not_trivially_copied(complete);
     each_child(complete, [&](Dwarf_Die &child) {
         const int tag = dwarf_tag(&child);
         if (tag == DW_TAG_member || tag == DW_TAG_inheritance) {
@@ -244,6 +285,7 @@ void TypeTable::read_member(Dwarf_Die &die, Type &type) {
     }
     Member member;
     member.type = &of(*member_die);
+    type.passed_by_reference = type.passed_by_reference || member.type->passed_by_reference;
     const std::uint64_t byte_offset =
         unsigned_attribute(die, DW_AT_data_member_location).value_or(0);
     member.bit_offset = 8 * byte_offset;

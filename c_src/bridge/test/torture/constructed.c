@@ -1,0 +1,7 @@
+int started;
+__attribute__((constructor)) static void start(void) {
+    started = 1;
+}
+int is_started(void) {
+    return started;
+}
