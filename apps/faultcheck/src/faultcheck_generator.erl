@@ -30,14 +30,14 @@ generate(Mod, Size) ->
     finish(extend(rand:uniform(Size + 1) - 1, start(Mod))).
 
 %% @doc A neighbour of a sequence: a random part of its front and a fresh tail.
--spec mutate(module(), [command()]) -> [command()].
+-spec mutate(module(), [command()]) -> {[command()], side()}.
 mutate(Mod, Commands) ->
     Length = length(Commands),
     Kept = lists:sublist(Commands, rand:uniform(Length + 1) - 1),
     Start = lists:foldl(fun replay/2, start(Mod), Kept),
-    Fresh = rand:uniform(max(1, Length - length(Kept) + 1)),
-    {Result, _Side} = finish(extend(Fresh, Start)),
-    Result.
+    %% Up to the size of the test: a search that wants long sequences can make them longer.
+    Fresh = rand:uniform(max(faultcheck_proper:size(), Length - length(Kept)) + 1) - 1,
+    finish(extend(Fresh, Start)).
 
 start(Mod) ->
     Info = faultcheck_model:info(Mod),

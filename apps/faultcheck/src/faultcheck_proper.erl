@@ -27,15 +27,23 @@
 %% The kind is an atom of its own: with a kind PropEr knows it would add its own shrinkers.
 -spec new_type(fun((non_neg_integer()) -> imm()), fun((imm()) -> boolean()),
                fun((imm(), type(), shrink_state()) -> {[imm()], shrink_state()}),
-               fun((imm()) -> imm())) -> type().
+               Neighbour :: fun((Value :: term()) -> imm())) -> type().
 new_type(Generator, IsInstance, Shrinker, Neighbour) ->
-    Type = proper_types:new_type([{generator, Generator},
-                                  {is_instance, IsInstance},
-                                  {shrinkers, [Shrinker]}], faultcheck),
+    Type = own_type(Generator, IsInstance, Shrinker),
     case has_neighbours() of
-        true -> apply(proper_gen_next, set_user_nf, [Type, fun(Base, _) -> Neighbour(Base) end]);
-        false -> Type
+        true ->
+            Near = fun(Base, _Temperature) ->
+                           own_type(fun(_Size) -> Neighbour(Base) end, IsInstance, Shrinker)
+                   end,
+            apply(proper_gen_next, set_user_nf, [Type, Near]);
+        false ->
+            Type
     end.
+
+own_type(Generator, IsInstance, Shrinker) ->
+    proper_types:new_type([{generator, Generator},
+                           {is_instance, IsInstance},
+                           {shrinkers, [Shrinker]}], faultcheck).
 
 %% Asked for once: looking for a module that is not there goes through the whole code path,
 %% and a nested ?FORALL makes a type for each test.

@@ -39,7 +39,11 @@ commands(Mod, Given) ->
       fun(Size) -> generate(Mod, Size) end,
       fun(Imm) -> is_list(faultcheck_proper:clean(Imm)) end,
       fun(Imm, _Type, State) -> shrink(Mod, Options, Imm, State) end,
-      fun(Base) -> faultcheck_generator:mutate(Mod, Base) end).
+      fun(Base) -> neighbour(Mod, Base) end).
+
+neighbour(Mod, Base) ->
+    {Commands, Side} = faultcheck_generator:mutate(Mod, Base),
+    faultcheck_proper:with_side(Commands, Side).
 
 generate(Mod, Size) ->
     faultcheck_stats:generated(),

@@ -61,7 +61,7 @@ neighbours_keep_a_part_and_are_legal_test() ->
                 20, {1, 2, 3},
                 fun() ->
                         {Base, _} = faultcheck_generator:generate(chain_model, 20),
-                        Near = [faultcheck_generator:mutate(chain_model, Base)
+                        Near = [element(1, faultcheck_generator:mutate(chain_model, Base))
                                 || _ <- lists:seq(1, 50)],
                         [?assertEqual(N, faultcheck_repair:repair(chain_model, N)) || N <- Near],
                         ?assert(lists:any(fun(N) -> lists:prefix(lists:sublist(Base, 3), N) end,

@@ -153,13 +153,20 @@ the_random_state_is_as_before_test() ->
                                ?assertEqual(undefined, rand:export_seed())
                        end).
 
-%% Targeted properties exist in PropEr 1.5 only.
-neighbours_are_used_by_targeted_properties_test() ->
+%% Targeted properties exist in PropEr 1.5 only; there, a search for long sequences has to find
+%% one, and it has to shrink.
+targeted_properties_search_and_shrink_test_() ->
+    {timeout, 60, fun targeted/0}.
+
+-ifdef(FORALL_TARGETED).
+targeted() ->
+    Property = ?FORALL_TARGETED(C, faultcheck_statem:commands(bag_model),
+                                begin ?MAXIMIZE(length(C)), length(C) < 15 end),
+    {false, [Commands], Summary} = model_lab:quickcheck(Property, [{search_steps, 10000}]),
+    ?assertEqual(15, length(Commands)),
+    ?assertMatch(#{minimal := true, shrunk := Commands}, Summary).
+-else.
+targeted() ->
     _ = code:ensure_loaded(proper_gen_next),
-    case erlang:function_exported(proper_gen_next, set_user_nf, 2) of
-        false ->
-            ok;
-        true ->
-            Type = faultcheck_statem:commands(bag_model),
-            ?assertMatch({ok, _}, apply(proper_types, find_prop, [user_nf, Type]))
-    end.
+    ?assertNot(erlang:function_exported(proper_gen_next, set_user_nf, 2)).
+-endif.
