@@ -49,11 +49,13 @@ int print(int by) {
     return level;
 }
 
-/* Wrong about every second time. */
+/* Wrong about every fourth time, and only in the step that reaches the limit: were each step
+ * beyond it a chance to be wrong, a long sequence would fail in ten of ten runs now and then. */
 int flaky(int by) {
+    int below = level < 10;
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
-    return at_limit(by) && (now.tv_nsec / 64) % 2 ? -1 : level;
+    return at_limit(by) && below && (now.tv_nsec / 64) % 4 == 0 ? -1 : level;
 }
 
 /* Crashes in an Erlang VM only. */
