@@ -44,7 +44,9 @@
     | cb_crash:crash()
     | {not_running, reason() | stopped}
     | {callback, term()}
+    | {callback, name(), no_port}
     | {in_call, name()}
+    | busy
     | {other_process, pid()}
     | {callback, name(), term()}
     %% start and restart
@@ -58,6 +60,9 @@
     %% what only a defect of the bridge can cause
     | {bad_request, term()}
     | {keeper, term()}
+    | no_child
+    | no_snapshot
+    | no_memory
     | not_loaded
     | already_loaded.
 
@@ -176,6 +181,10 @@ line({other_process, Owner}) ->
         "for all to use it",
         [Owner]
     );
+line(busy) ->
+    "another process is in a call of this library; start one library for each process";
+line({callback, Function, no_port}) ->
+    text("the stub ~ts asks Erlang, which needs transport port", [name(Function)]);
 line({callback, Function, Detail}) ->
     text("the stub ~ts gave a wrong value: ~ts", [name(Function), detail(Detail)]);
 %% ---- start -----------------------------------------------------------------------------------
@@ -249,6 +258,16 @@ line({journal, File, truncated}) ->
     text("the journal ~ts is truncated", [File]);
 line({journal, File, Why}) ->
     text("the journal ~ts: ~0tp", [File, Why]);
+line({keeper, Why}) ->
+    text("the process that holds the library ended: ~0tp", [Why]);
+line({bad_request, Request}) ->
+    text("the bridge does not understand the request ~0tp", [Request]);
+line(no_child) ->
+    "the request was meant for a forked child that has ended";
+line(no_snapshot) ->
+    "there is no snapshot to restore";
+line(no_memory) ->
+    "not enough memory for the values of the request";
 line(not_loaded) ->
     "no library is loaded";
 line(already_loaded) ->

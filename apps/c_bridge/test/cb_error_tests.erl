@@ -55,6 +55,75 @@ every_reason_is_one_line_test() ->
     ?assertNot(lists:member($\n, Line)),
     ?assertNotEqual(nomatch, string:find(Line, "two")).
 
+%% No reason of c_bridge is printed as a bare term.
+all_reasons_have_words_test_() ->
+    [
+        {line(Reason), ?_assertNotEqual(lists:flatten(io_lib:format("~0tp", [Reason])), line(Reason))}
+     || Reason <- reasons()
+    ].
+
+reasons() ->
+    In = #{in => {f, [1]}, log => <<>>, frames => []},
+    [
+        {not_callable, f, inlined},
+        {not_callable, f, abi_changed},
+        {not_callable, f, {unsupported_type, 0, '__int128'}},
+        {not_callable, f, {unsupported_type, 2, '__int128'}},
+        {unknown_handle, 3},
+        {cxx_exception, <<"what">>},
+        {unknown_member, [g, x], y, []},
+        {bad_index, [g, 9], 9, 0},
+        {bad_index, [g, 9], 9, 4},
+        {not_accessible, v, optimised_out},
+        {not_accessible, v, thread_local},
+        {read_only, v},
+        {unknown_type, 'struct none'},
+        {stale_pointer, {ptr, int, 1}},
+        {bad_pointer, x},
+        {out_of_bounds, {ptr, int, 1}, 8},
+        {arg, f, 1, p, {stale_pointer, {ptr, int, 1}}},
+        {exited, unknown, In},
+        {sanitizer, undefined, In#{summary => <<"line">>}},
+        {timeout, 100, In},
+        {not_running, stopped},
+        {not_running, {exited, 3, In}},
+        {callback, {f, no_such_stub}},
+        {callback, {f, {error, broken, []}}},
+        {callback, {f, {caller, killed}}},
+        {callback, f, no_port},
+        {callback, f, {bad_type, int, x}},
+        {in_call, f},
+        {other_process, self()},
+        busy,
+        {load, "x.so", {debug_info, "bad"}},
+        {load, "c_bridge_port", {protocol, timeout}},
+        {reset, fork, not_in_nif},
+        {not_started, lib},
+        {which_library, []},
+        {which_library, [a, b]},
+        {bad_option, {timeout, soon}, "milliseconds"},
+        {missing_option, [so, c_src]},
+        {needs_port, {sanitize, [address]}},
+        {compile, "x.c", no_such_file},
+        {compile, "x.c", {no_such_program, "gcc"}},
+        {undefined, [<<"f">>, <<"g">>]},
+        {stub, f, not_declared},
+        {stub, f, {bad_value, {}}},
+        {stub, f, {unsupported_declaration, <<"void (*f (int)) (int)">>}},
+        {cache, "/x", eacces},
+        {module_clash, lists, "lists.beam"},
+        {journal, "j", not_a_journal},
+        {journal, "j", truncated},
+        {journal, "j", enoent},
+        {keeper, killed},
+        {bad_request, x},
+        no_child,
+        no_snapshot,
+        no_memory,
+        not_loaded,
+        already_loaded
+    ].
+
 %% A term that is no reason of c_bridge still gives a line.
 a_foreign_term_is_printed_test() ->
     ?assertEqual("{what,is,this}", line({what, is, this})).

@@ -240,6 +240,19 @@ holder(own, _) -> self();
 %% The keeper is the only process that talks to the port program.
 holder(shared, Lib) -> element(4, Lib).
 
+thread_local_state_can_be_read_and_set_test() ->
+    Lib = cb_sut:start("state.c", []),
+    _ = cb:call(Lib, touch, []),
+    ?assertEqual(1, cb:value_of(Lib, in_thread)),
+    ok = cb:set(Lib, in_thread, 5),
+    ?assertEqual(5, cb:call(Lib, thread_value, [])),
+    %% The dynamic linker knows only what is exported.
+    ?assertEqual(
+        {not_accessible, private_to_thread, thread_local},
+        cb_sut:reason(fun() -> cb:value_of(Lib, private_to_thread) end)
+    ),
+    ok = cb:stop(Lib).
+
 the_log_can_be_kept_test() ->
     Log = cb_files:fresh_name("cb_port_tests", ".log"),
     Lib = cb_sut:start("printer.c", [{log, Log}]),

@@ -46,6 +46,22 @@ a_file_that_is_no_library_test_() ->
         )
     end).
 
+a_library_with_undefined_symbols_test_() ->
+    in_both(fun(Transport) ->
+        Dir = cb_files:fresh_name("cb_session_tests", ""),
+        ok = filelib:ensure_dir(filename:join(Dir, "x")),
+        So = filename:join(Dir, "libdevice.so"),
+        Args = ["-g", "-shared", "-fPIC", "-o", So, cb_sut:source("device.c")],
+        {ok, 0, _} = cb_compiler:run("gcc", Args),
+        {error, {load, _, {dlerror, Text}} = Reason} =
+            cb:start(sut_undefined, [{so, So}, {transport, Transport}]),
+        ok = file:del_dir_r(Dir),
+        ?assertNotEqual(nomatch, string:find(Text, "undefined symbol")),
+        %% The file is named once.
+        Line = unicode:characters_to_list(cb_error:format(Reason)),
+        ?assertEqual(2, length(string:split(Line, "libdevice.so", all)))
+    end).
+
 no_debug_information_test_() ->
     in_both(fun(Transport) ->
         with_plain_library(["-s"], fun(So) ->

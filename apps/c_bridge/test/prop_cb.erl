@@ -3,13 +3,7 @@
 
 -include_lib("proper/include/proper.hrl").
 
--export([prop_scalars_are_read_back/0, scalars_are_read_back_test_/0]).
-
-%% EUnit runs it too: this application knows no PropEr, its tests may.
-scalars_are_read_back_test_() ->
-    {timeout, 60, fun() ->
-        true = proper:quickcheck(prop_scalars_are_read_back(), [{numtests, 300}, {to_file, user}])
-    end}.
+-export([prop_scalars_are_read_back/0]).
 
 prop_scalars_are_read_back() ->
     ?SETUP(
@@ -28,7 +22,7 @@ start() ->
         cb_sut:start(Name, "arithmetic.c", [{transport, Transport}, {module, false}])
      || {Name, Transport} <- lists:zip(names(), [nif, port])
     ],
-    fun() -> [cb:stop(Name) || Name <- names()] end.
+    fun() -> lists:foreach(fun cb:stop/1, names()) end.
 
 %% Limits and their neighbours are as likely as all values between them together.
 assignment() ->

@@ -5,6 +5,7 @@ int in_data = 1;
 int in_bss;
 static int *on_heap;
 _Thread_local int in_thread;
+static _Thread_local int private_to_thread;
 static int constructed;
 
 __attribute__((constructor)) static void construct(void) { constructed = 7; }
@@ -13,6 +14,7 @@ int touch(void) {
     in_data++;
     in_bss++;
     in_thread++;
+    private_to_thread++;
     constructed++;
     if (on_heap == 0) on_heap = calloc(1, sizeof(int));
     return ++*on_heap;
