@@ -95,7 +95,7 @@ parse([[$-, Short | Rest] | Args], Options) when Short =/= $- ->
         Option -> value(Option, [{given, Rest} | Args], Options)
     end;
 parse([Word | _], _Options) ->
-    {error, "unexpected argument " ++ Word ++ "; options begin with -- (see --help)"}.
+    {error, "unexpected argument " ++ Word ++ "; options begin with - (see --help)"}.
 
 long(Name, Args, Options) ->
     case [O || O <- table(), atom_to_list(element(1, O)) =:= Name] of
@@ -181,7 +181,7 @@ check([{Key, Value} | Rest], Options) when is_atom(Key) ->
         {_, _, Type, _, _, _} ->
             case valid(Type, Value) of
                 true -> check(Rest, Options#{Key => Value});
-                false -> bad(Key, Type, io_lib:format("~0tp", [Value]))
+                false -> bad(Key, Type, lists:flatten(io_lib:format("~0tp", [Value])))
             end
     end;
 check([Other | _], _Options) ->

@@ -85,7 +85,9 @@ summary(Outcomes) ->
     First = text("===> ~b/~b properties passed", [Total - length(Bad), Total]),
     case Bad of
         [] -> [First];
-        _ -> [First ++ rest(Bad), "===> Failed test cases:" | [summary_line(O) || O <- Bad]]
+        _ ->
+            Counts = lists:append([First | rest(Bad)]),
+            [Counts, "===> Failed test cases:" | [summary_line(O) || O <- Bad]]
     end.
 
 rest(Bad) ->

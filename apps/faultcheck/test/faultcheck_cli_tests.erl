@@ -71,7 +71,7 @@ project_test_() ->
             {timeout, 60, {"kill -9 of the program leaves no process and whole files", fun() ->
                 ?assertEqual({signal, 9}, signalled(Dir, 9))
             end}},
-            {timeout, 60, {"kill -9 of the child VM fails its property, and the run goes on", fun() ->
+            {timeout, 60, {"kill -9 of the child VM fails its property, the run goes on", fun() ->
                 child_killed(Dir)
             end}}
         ]

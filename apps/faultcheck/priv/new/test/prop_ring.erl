@@ -5,12 +5,11 @@
 prop_ring() ->
     ?SETUP(fun() -> {ok, Ring} = cb:start(ring, [{c_src, "c_src/ring.c"}]),
                     fun() -> cb:stop(Ring) end end,
-    ?FORALL(Commands, commands(?MODULE),
-        begin
-            ok = cb:restart(ring),
-            {_, _, Result} = run_commands(?MODULE, Commands),
-            Result =:= ok
-        end)).
+           ?FORALL(Commands, commands(?MODULE), begin
+               ok = cb:restart(ring),
+               {_, _, Result} = run_commands(?MODULE, Commands),
+               Result =:= ok
+           end)).
 
 initial_state() -> [].
 
