@@ -1,8 +1,9 @@
 %% @doc The experiments of Paper I, section 5, repeated: `make airbag-report'.
 %%
-%% Writes airbag.md and its charts. Everything runs in OS processes of its own (transport port), two
-%% at a time, and goes on where it ended when it was interrupted: finished chunks are kept in
-%% state files that name the code they belong to.
+%% Writes airbag.md and its charts. It goes on where it ended when it was interrupted: finished
+%% chunks are kept in state files that name the code they belong to. Random tests run in this VM,
+%% one after the other, because there is one airbag in an OS process; masks are enumerated by
+%% several workers, through ports. What the airbag prints goes to standard output.
 -module(airbag_report).
 
 -export([main/1, run/2, settings/0]).
@@ -13,6 +14,9 @@
     tests := pos_integer(),
     coverage_tests := pos_integer(),
     flips := 1..4,
+    %% of random tests
+    transport := nif | port,
+    %% of the enumeration
     workers := pos_integer(),
     progress := fun((faultcheck_enumerate:progress()) -> term())
 }.
@@ -41,25 +45,23 @@ settings() ->
         tests => 100000,
         coverage_tests => 2000,
         flips => 4,
+        transport => nif,
         workers => min(2, erlang:system_info(schedulers_online)),
         progress => fun faultcheck_enumerate:print_progress/1
     }.
 
 %% @doc Runs all experiments and writes the report.
 -spec run(file:filename(), settings()) -> ok.
-run(Dir, Settings) ->
+run(Dir, #{transport := Transport} = Settings) ->
     {ok, _} = application:ensure_all_started(c_bridge),
-    ok = airbag_sut:default_transport(port),
     Charts = filename:join(Dir, "airbag"),
     ok = filelib:ensure_dir(filename:join([Charts, "state", "x"])),
     Context = Settings#{charts => Charts, code => fingerprint()},
-    Text = [
-        title(Settings),
-        first_failures(Context),
-        long_runs(Context),
-        exhaustive(Context),
-        coverage(Context)
-    ],
+    ok = airbag_sut:default_transport(Transport),
+    Random = [first_failures(Context), long_runs(Context)],
+    ok = airbag_sut:default_transport(port),
+    Complete = [exhaustive(Context), coverage(Context)],
+    Text = [title(Settings), Random, Complete],
     ok = file:write_file(filename:join(Dir, "airbag.md"), Text),
     remove_states(Charts).
 
@@ -75,10 +77,9 @@ remove_states(Charts) ->
     _ = [ok = file:delete(F) || F <- filelib:wildcard(filename:join(State, "*"))],
     file:del_dir(State).
 
-enumeration(Name, #{workers := Workers, progress := Progress, charts := Charts, code := Code}) ->
+enumeration(Name, #{progress := Progress, charts := Charts, code := Code}) ->
     #{
         name => {Name, Code},
-        workers => Workers,
         state_file => filename:join([Charts, "state", Name]),
         progress => fun(P) -> Progress(P#{name := list_to_atom(Name)}) end,
         progress_ms => 5000
@@ -253,7 +254,8 @@ exhaustive(#{flips := Flips} = Context) ->
 
 enumerate_masks(Configuration, Bytes, Flips, Context) ->
     Options = enumeration("masks-" ++ atom_to_list(Configuration), Context),
-    done(airbag_exhaustive:run(Configuration, Bytes, Flips, Options)).
+    Parallel = Options#{workers => maps:get(workers, Context)},
+    done(airbag_exhaustive:run(Configuration, Bytes, Flips, Parallel)).
 
 mask_rows(Label, Run) ->
     Columns = [airbag_exhaustive:table(C, Run) || C <- [masks, undetected, able, fired]],

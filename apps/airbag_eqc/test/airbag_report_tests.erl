@@ -8,7 +8,12 @@ report_test_() ->
 report() ->
     Dir = "/tmp/airbag_report_" ++ os:getpid(),
     Settings = (airbag_report:settings())#{
-        seeds => 1, tests => 84, coverage_tests => 42, flips => 2, progress => fun(_) -> ok end
+        seeds => 1,
+        tests => 84,
+        coverage_tests => 42,
+        flips => 2,
+        transport => port,
+        progress => fun(_) -> ok end
     },
     try
         ok = airbag_report:run(Dir, Settings),
