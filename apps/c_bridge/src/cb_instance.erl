@@ -131,7 +131,7 @@ outcome({error, _} = Reply, State, In, _) -> check_sanitizer(Reply, State, In);
 outcome({ended, Ending}, State, In, _) -> died(Ending, buried(State), In);
 outcome({child_ended, Ending}, State, In, _) -> died(Ending, State#instance{child = none}, In);
 outcome(timeout, State, In, Ms) -> timed_out(State, In, Ms);
-outcome({abandoned, Why}, State, _In, _) -> down({callback, Why}, ended_by(kill, State)).
+outcome({abandoned, Why}, State, _In, _) -> gave_up({callback, Why}, ended_by(kill, State)).
 
 ask_stub(#instance{config = #{stubs := Stubs}}, Ask, Function, Args) ->
     case Stubs of
@@ -175,6 +175,10 @@ down_of(Ending, #instance{log = Log, log_from = From} = State, In) ->
 frames(Addresses, #instance{program = Program, symbols = Known} = State) ->
     {Frames, NowKnown, Next} = cb_symbols:frames(Addresses, Known, Program),
     {Frames, State#instance{symbols = NowKnown, program = Next}}.
+
+%% The C code cannot go on without the value of its stub.
+gave_up(Reason, State) ->
+    {{error, Reason}, State#instance{down = Reason}}.
 
 down(Reason, #instance{log = Log} = State) ->
     Down = State#instance{down = Reason, last_crash = Reason, log_from = cb_log:length(Log)},

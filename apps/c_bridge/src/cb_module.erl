@@ -10,6 +10,8 @@
 -type reason() :: {module_clash, atom(), file:filename() | preloaded | cover_compiled}.
 
 -define(MOST, 500).
+%% Where the generated forms are: on no line.
+-define(AT, erl_anno:new(0)).
 -define(MARK, c_bridge_functions).
 
 %% @doc Compiles and loads module Name, unless it is there with the same functions.
@@ -66,24 +68,24 @@ forms(Name, Signatures, Version) ->
     Direct = [S || length(Signatures) =< ?MOST, S <- Signatures],
     Exports = [{'$handle_undefined_function', 2} | Direct],
     [
-        {attribute, 1, module, Name},
-        {attribute, 1, ?MARK, Version},
-        {attribute, 1, export, Exports},
+        {attribute, ?AT, module, Name},
+        {attribute, ?AT, ?MARK, Version},
+        {attribute, ?AT, export, Exports},
         any_function(Name)
         | [function(Name, Function, Arity) || {Function, Arity} <- Direct]
     ].
 
 function(Name, Function, Arity) ->
-    Variables = [{var, 1, list_to_atom("A" ++ integer_to_list(I))} || I <- lists:seq(1, Arity)],
-    List = lists:foldr(fun(V, Tail) -> {cons, 1, V, Tail} end, {nil, 1}, Variables),
-    Call = call(Name, {atom, 1, Function}, List),
-    {function, 1, Function, Arity, [{clause, 1, Variables, [], [Call]}]}.
+    Variables = [{var, ?AT, list_to_atom("A" ++ integer_to_list(I))} || I <- lists:seq(1, Arity)],
+    List = lists:foldr(fun(V, Tail) -> {cons, ?AT, V, Tail} end, {nil, ?AT}, Variables),
+    Call = call(Name, {atom, ?AT, Function}, List),
+    {function, ?AT, Function, Arity, [{clause, ?AT, Variables, [], [Call]}]}.
 
 any_function(Name) ->
-    Function = {var, 1, 'Function'},
-    Args = {var, 1, 'Args'},
-    Clause = {clause, 1, [Function, Args], [], [call(Name, Function, Args)]},
-    {function, 1, '$handle_undefined_function', 2, [Clause]}.
+    Function = {var, ?AT, 'Function'},
+    Args = {var, ?AT, 'Args'},
+    Clause = {clause, ?AT, [Function, Args], [], [call(Name, Function, Args)]},
+    {function, ?AT, '$handle_undefined_function', 2, [Clause]}.
 
 call(Name, Function, Args) ->
-    {call, 1, {remote, 1, {atom, 1, cb}, {atom, 1, call}}, [{atom, 1, Name}, Function, Args]}.
+    {call, ?AT, {remote, ?AT, {atom, ?AT, cb}, {atom, ?AT, call}}, [{atom, ?AT, Name}, Function, Args]}.

@@ -1,7 +1,7 @@
 %% @doc One running port program: a request, its answer, and how the program ends.
 %%
-%% All functions must be called by the process that called start/2: the port sends it its messages.
-%% The port is not linked to it, so that the program's end is a message and no exit signal; who
+%% All functions must be called by the process that called start/2: the port sends it its
+%% messages. The port is not linked to it, so that the program's end is a message and no exit signal; who
 %% starts a program sees to its end (cb_janitor). Answers to requests that were given up are recognised by their
 %% number and dropped.
 -module(cb_program).

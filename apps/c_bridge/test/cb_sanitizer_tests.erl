@@ -35,7 +35,7 @@ address(Compiler, Reset) ->
         ?assertMatch(#{in := {beyond, [4]}, summary := _, log := _}, Details),
         #{summary := Summary, log := Log} = Details,
         ?assertNotEqual(nomatch, binary:match(Summary, <<"beyond">>)),
-        ?assertNotEqual(nomatch, binary:match(Log, <<"unsound.c:9">>)),
+        ?assertNotEqual(nomatch, binary:match(Log, <<"unsound.c:11">>)),
         ok = cb:restart(L),
         ?assertEqual(1, cb:call(L, beyond, [0]))
     end).

@@ -1,5 +1,5 @@
-%% Starting: libraries built elsewhere, headers for those without debug information, several at once,
-%% and what goes wrong.
+%% Starting: libraries built elsewhere, headers for those without debug information, several at
+%% once, and what goes wrong.
 -module(cb_session_tests).
 
 -include_lib("eunit/include/eunit.hrl").

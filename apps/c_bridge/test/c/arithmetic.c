@@ -27,15 +27,37 @@ const int g_const = 11;
 int g_calls;
 static int hidden = 5;
 
-int add(int a, int b) { return a + b; }
-long long multiply(long long a, long long b) { return a * b; }
-double halve(double x) { return x / 2; }
-float third(float x) { return x / 3; }
-bool invert(bool b) { return !b; }
-unsigned char low_byte(unsigned long long v) { return (unsigned char)v; }
-enum level raise(enum level l) { return l == LOW ? MIDDLE : HIGH; }
-int count_call(void) { return ++g_calls; }
-static int twice_hidden(void) { return 2 * hidden; }
-int use_hidden(void) { return twice_hidden(); }
+int add(int a, int b) {
+    return a + b;
+}
+long long multiply(long long a, long long b) {
+    return a * b;
+}
+double halve(double x) {
+    return x / 2;
+}
+float third(float x) {
+    return x / 3;
+}
+bool invert(bool b) {
+    return !b;
+}
+unsigned char low_byte(unsigned long long v) {
+    return (unsigned char)v;
+}
+enum level raise(enum level l) {
+    return l == LOW ? MIDDLE : HIGH;
+}
+int count_call(void) {
+    return ++g_calls;
+}
+static int twice_hidden(void) {
+    return 2 * hidden;
+}
+int use_hidden(void) {
+    return twice_hidden();
+}
 int old_style();
-int old_style(a, b) int a, b; { return a - b; }
+int old_style(a, b)
+int a, b;
+{ return a - b; }

@@ -5,7 +5,9 @@ double scaled(int channel) {
     report("scaled", channel);
     return mode_of() == ON ? read_raw(channel) * scale_of(channel) : -1;
 }
-char first_letter(int channel) { return label_of(channel)[0]; }
+char first_letter(int channel) {
+    return label_of(channel)[0];
+}
 double filled(int channel) {
     struct reading r = {0, 0};
     return fill_reading(&r, channel) ? r.value : -1;

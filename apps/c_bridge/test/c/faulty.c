@@ -6,17 +6,30 @@
 
 int steps;
 
-int step(void) { return ++steps; }
-int follow(const int *p) { return *p; }
-int divide(int a, int b) { return a / b; }
-void give_up(void) { abort(); }
-void leave(int status) { exit(status); }
+int step(void) {
+    return ++steps;
+}
+int follow(const int *p) {
+    return *p;
+}
+int divide(int a, int b) {
+    return a / b;
+}
+void give_up(void) {
+    abort();
+}
+void leave(int status) {
+    exit(status);
+}
 static int spin(void) {
     volatile int on = 1;
-    while (on) steps++;
+    while (on)
+        steps++;
     return 0;
 }
-int hang(void) { return spin(); }
+int hang(void) {
+    return spin();
+}
 int recurse(int n) {
     volatile char room[256];
     memset((void *)room, n, sizeof(room));
@@ -36,4 +49,6 @@ int wait_ms(int ms) {
     usleep((useconds_t)ms * 1000);
     return ms;
 }
-int process(void) { return getpid(); }
+int process(void) {
+    return getpid();
+}

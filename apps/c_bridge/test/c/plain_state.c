@@ -5,4 +5,6 @@ int change(void) {
     value *= 2;
     return ++steps;
 }
-void set_up(int start) { value = start; }
+void set_up(int start) {
+    value = start;
+}

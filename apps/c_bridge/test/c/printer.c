@@ -11,4 +11,6 @@ int say(const char *text) {
     return ++said;
 }
 /* Bytes that look like a message of the port. */
-int say_bytes(void) { return write(1, "\0\0\0\4abcd", 8) == 8 ? ++said : -1; }
+int say_bytes(void) {
+    return write(1, "\0\0\0\4abcd", 8) == 8 ? ++said : -1;
+}

@@ -44,31 +44,57 @@ struct point moved(struct point p, int by) {
 }
 int sum(const int *values, int count) {
     int total = 0;
-    for (int i = 0; i < count; i++) total += values[i];
+    for (int i = 0; i < count; i++)
+        total += values[i];
     return total;
 }
-int point_sum(const struct point *p) { return p->x + p->y; }
-uint32_t word_of(union word w) { return w.whole; }
-void fill(uint8_t *out, int count, uint8_t value) { memset(out, value, (size_t)count); }
-const char *name_of(const struct box *b) { return b->name; }
+int point_sum(const struct point *p) {
+    return p->x + p->y;
+}
+uint32_t word_of(union word w) {
+    return w.whole;
+}
+void fill(uint8_t *out, int count, uint8_t value) {
+    memset(out, value, (size_t)count);
+}
+const char *name_of(const struct box *b) {
+    return b->name;
+}
 struct point *origin(void) {
     static struct point p;
     return &p;
 }
-struct point *nowhere(void) { return 0; }
-void keep(int *values) { kept = values; }
-int kept_at(int i) { return kept[i]; }
-int *own_values(void) { return kept_values; }
+struct point *nowhere(void) {
+    return 0;
+}
+void keep(int *values) {
+    kept = values;
+}
+int kept_at(int i) {
+    return kept[i];
+}
+int *own_values(void) {
+    return kept_values;
+}
 typedef int (*binary_op)(int, int);
-static int minus(int a, int b) { return a - b; }
-binary_op minus_op(void) { return minus; }
-int apply(binary_op op, int a, int b) { return op(a, b); }
+static int minus(int a, int b) {
+    return a - b;
+}
+binary_op minus_op(void) {
+    return minus;
+}
+int apply(binary_op op, int a, int b) {
+    return op(a, b);
+}
 int total(int count, ...) {
     va_list list;
     int t = 0;
     va_start(list, count);
-    for (int i = 0; i < count; i++) t += va_arg(list, int);
+    for (int i = 0; i < count; i++)
+        t += va_arg(list, int);
     va_end(list);
     return t;
 }
-__int128 huge(__int128 v) { return v; }
+__int128 huge(__int128 v) {
+    return v;
+}

@@ -3,9 +3,12 @@
 
 namespace shop {
 int price(int count) {
-    if (count < 0) throw std::invalid_argument("negative count");
+    if (count < 0)
+        throw std::invalid_argument("negative count");
     return 3 * count;
 }
-}  // namespace shop
+} // namespace shop
 
-extern "C" int bill(int count) { return shop::price(count) + 1; }
+extern "C" int bill(int count) {
+    return shop::price(count) + 1;
+}

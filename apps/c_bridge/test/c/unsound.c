@@ -2,7 +2,9 @@
 #include <limits.h>
 #include <stdlib.h>
 
-int increment(int v) { return v + 1; }
+int increment(int v) {
+    return v + 1;
+}
 int beyond(int index) {
     int *values = malloc(4 * sizeof(int));
     values[0] = 1;
