@@ -54,7 +54,7 @@ check "rebar3 proper finds it too" exits 1 'prop_' \
   'cd mine && ERL_LIBS='"$here"'/moved/lib/faultcheck rebar3 proper'
 check "an unknown command is one line" exits 2 'nonsense' 'faultcheck nonsense'
 
-mkdir "$here/home/c"
+mkdir "$here/home/c" && chmod a+rwx "$here/home/c"
 cat >"$here/home/c/probe.c" <<'C'
 #include <E2E_P01.h>
 #include <faultcheck_wrapper.h>
