@@ -68,7 +68,6 @@ Pointer read_pointer(ConversionContext &context, TermReader &reader, Term term) 
     Term parts[kPointerParts];
     unsigned count = 0;
     std::uint64_t reference = 0;
-    std::string_view same;
     if (!reader.read_tuple(term, parts, kPointerParts, count) || count != kPointerParts ||
         !reader.is_atom(parts[0], names::ptr) || !reader.read_unsigned(parts[2], reference)) {
         fail("bad_pointer", pointer_text(reader, term));
