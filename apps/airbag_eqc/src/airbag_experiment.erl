@@ -58,18 +58,14 @@ enumerate(What, Airbag, Space, Check, Options) ->
         stop => fun(_) -> stop() end
     }).
 
-%% PropEr's generators want its state in the process.
 start(Airbag) ->
-    ok = proper:global_state_init_size(maps:get(max_size, Airbag)),
     ok = airbag_eqc:begin_test(Airbag),
     [_] = airbag_sut:calls([{airbag_clear_statuses, []}]),
     ok.
 
-stop() ->
-    ok = airbag_sut:stop(),
-    proper:global_state_erase().
+stop() -> airbag_sut:stop().
 
-%% @doc Runs Fun in a process that may call test/3: PropEr's state and the airbag are there.
+%% @doc Runs Fun with an airbag for test/3.
 -spec in_state(airbag_options:options(), fun(() -> Result)) -> Result.
 in_state(Airbag, Fun) ->
     ok = start(Airbag),
@@ -83,11 +79,16 @@ in_state(Airbag, Fun) ->
 -spec test(airbag_options:options(), pos_integer(), pos_integer()) ->
     {[faultcheck_generator:command()], faultcheck_statem:run()}.
 test(Airbag, Seed, Number) ->
-    _ = rand:seed(exsss, Seed bsl 32 + Number),
     ok = airbag_options:use(Airbag),
-    {Commands, _} = faultcheck_generator:generate(airbag_eqc, size_of(Number, Airbag)),
+    Commands = commands(size_of(Number, Airbag), {Seed, Number, 0}),
     ok = airbag_sut:begin_test(Airbag),
     {Commands, faultcheck_statem:run_commands(airbag_eqc, Commands)}.
+
+commands(Size, Seed) ->
+    faultcheck_proper:with_state(Size, Seed, fun() ->
+        {Commands, _} = faultcheck_generator:generate(airbag_eqc, Size),
+        Commands
+    end).
 
 size_of(Number, #{max_size := Most}) -> (Number - 1) rem Most + 1.
 

@@ -70,7 +70,7 @@ fingerprint() ->
     Libraries = filelib:wildcard(filename:join(filename:dirname(airbag_sut:library()), "*.so")),
     Files = [element(2, {ok, _} = file:read_file(F)) || F <- lists:sort(Libraries)],
     Modules = [M:module_info(md5) || M <- [airbag_eqc, airbag_experiment, faultcheck_generator]],
-    binary:encode_unsigned(erlang:phash2({Files, Modules}, 1 bsl 32)).
+    integer_to_list(erlang:phash2({Files, Modules}, 1 bsl 32), 16).
 
 remove_states(Charts) ->
     State = filename:join(Charts, "state"),
@@ -80,7 +80,7 @@ remove_states(Charts) ->
 enumeration(Name, #{progress := Progress, charts := Charts, code := Code}) ->
     #{
         name => {Name, Code},
-        state_file => filename:join([Charts, "state", Name]),
+        state_file => filename:join([Charts, "state", Code ++ "-" ++ Name]),
         progress => fun(P) -> Progress(P#{name := list_to_atom(Name)}) end,
         progress_ms => 5000
     }.

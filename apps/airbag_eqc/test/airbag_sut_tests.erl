@@ -78,9 +78,10 @@ transports() ->
     ?assert(length(lists:append([History || {History, _} <- Port])) > 100).
 
 commands(N) ->
-    _ = rand:seed(exsss, N),
-    {Commands, _} = faultcheck_generator:generate(airbag_eqc, N),
-    Commands.
+    faultcheck_proper:with_state(N, {1, 2, N}, fun() ->
+        {Commands, _} = faultcheck_generator:generate(airbag_eqc, N),
+        Commands
+    end).
 
 results(Airbag, Commands) ->
     Quiet = [C || {set, _, {call, _, Name, _}} = C <- Commands, Name =/= explosion],
