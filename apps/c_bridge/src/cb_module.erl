@@ -88,4 +88,5 @@ any_function(Name) ->
     {function, ?AT, '$handle_undefined_function', 2, [Clause]}.
 
 call(Name, Function, Args) ->
-    {call, ?AT, {remote, ?AT, {atom, ?AT, cb}, {atom, ?AT, call}}, [{atom, ?AT, Name}, Function, Args]}.
+    Callee = {remote, ?AT, {atom, ?AT, cb}, {atom, ?AT, call}},
+    {call, ?AT, Callee, [{atom, ?AT, Name}, Function, Args]}.

@@ -1,9 +1,9 @@
 %% @doc One running port program: a request, its answer, and how the program ends.
 %%
 %% All functions must be called by the process that called start/2: the port sends it its
-%% messages. The port is not linked to it, so that the program's end is a message and no exit signal; who
-%% starts a program sees to its end (cb_janitor). Answers to requests that were given up are recognised by their
-%% number and dropped.
+%% messages. The port is not linked to it, so that the program's end is a message and no exit
+%% signal; who starts a program sees to its end (cb_janitor). Answers to requests that were given
+%% up are recognised by their number and dropped.
 -module(cb_program).
 
 -export([start/2, request/4, await_end/2, await_child_end/2, signal/2, kill/1, stop/2, forget/1]).

@@ -1,12 +1,13 @@
-%% What different compilers make of the torture library of c_src/bridge is called alike, through both
-%% transports.
+%% What different compilers make of the torture library of c_src/bridge is called alike, through
+%% both transports.
 -module(cb_compiler_tests).
 
 -include_lib("eunit/include/eunit.hrl").
 
 torture() ->
     Here = filename:dirname(cb_sut:source("x")),
-    filename:join([Here, "..", "..", "..", "..", "c_src", "bridge", "test", "torture", "torture.c"]).
+    Bridge = filename:join([Here, "..", "..", "..", "..", "c_src", "bridge"]),
+    filename:join([Bridge, "test", "torture", "torture.c"]).
 
 %% gcc always, clang if it is there.
 builds() ->

@@ -16,7 +16,9 @@ int good(int by) {
     return level;
 }
 
-int wrong(int by) { return at_limit(by) ? -1 : level; }
+int wrong(int by) {
+    return at_limit(by) ? -1 : level;
+}
 
 int crash(int by) {
     if (at_limit(by)) {

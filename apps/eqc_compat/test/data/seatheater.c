@@ -25,8 +25,14 @@ void heater_sample(const unsigned char *degrees) {
     }
 }
 
-void heater_occupy(int yes) { occupied = yes; }
+void heater_occupy(int yes) {
+    occupied = yes;
+}
 
-int heater_hot_samples(void) { return hot_samples; }
+int heater_hot_samples(void) {
+    return hot_samples;
+}
 
-void heater_set_label(const char *text) { strncpy(heater_label, text, sizeof heater_label - 1); }
+void heater_set_label(const char *text) {
+    strncpy(heater_label, text, sizeof heater_label - 1);
+}
