@@ -24,6 +24,9 @@ std::unique_ptr<DebugInfo> open_debug_info(const std::string &file, bool require
         load_failure(file,
                      Tree::tuple({Tree::atom("dlerror"), Tree::binary(std::strerror(errno))}));
     }
+    if (!S_ISREG(status.st_mode)) { // reading a pipe or a device might never end
+        load_failure(file, Tree::tuple({Tree::atom("dlerror"), Tree::binary("not a file")}));
+    }
     std::string why;
     std::unique_ptr<DebugInfo> info = DebugInfo::open(file, why);
     if (info == nullptr && required) {

@@ -115,6 +115,12 @@ class Session : public ConversionContext {
     struct Place {
         unsigned char *address = nullptr;
         Member member;
+        bool behind_pointer = false; // of the library: it may be anywhere
+        // Bytes from address to the end of the value.
+        std::size_t extent() const {
+            return member.bit_size != 0 ? (member.bit_offset + member.bit_size + 7) / 8
+                                        : member.type->size;
+        }
     };
 
     void load_parts(const LoadOptions &options, std::unique_ptr<DebugInfo> main);
@@ -141,6 +147,9 @@ class Session : public ConversionContext {
     void step_index(TermReader &reader, Term path, std::int64_t index, Place &place);
     bool is_read_only(const unsigned char *address) const;
     Pointer checked_pointer(TermReader &reader, Term pointer);
+    const unsigned char *bytes_behind(const Pointer &pointer, std::size_t size, TermReader &reader,
+                                      Term term);
+    void follow(TermReader &reader, Term path, Place &place);
 
     const Type *type_of_base(const std::string &name);
     std::optional<Dwarf_Die> find_type(const std::string &name, int tag);

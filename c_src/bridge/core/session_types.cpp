@@ -12,6 +12,8 @@ namespace cb {
 
 namespace {
 
+constexpr std::uint64_t kLargestType = 256U << 20;
+
 struct Spelling {
     std::string base; // words apart by one space, without qualifiers
     unsigned stars = 0;
@@ -102,7 +104,7 @@ const Type &Session::type_named(const std::string &text) {
         type = &types_.pointer_to(*type);
     }
     for (auto size = spelling.dimensions.rbegin(); size != spelling.dimensions.rend(); ++size) {
-        if (type->size != 0 && *size > UINT32_MAX / type->size) {
+        if (type->size != 0 && *size > kLargestType / type->size) {
             fail("unknown_type", Tree::atom(text));
         }
         type = &types_.array_of(*type, *size);

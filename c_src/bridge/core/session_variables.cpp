@@ -1,9 +1,9 @@
 // Variables of a session: finding them, walking paths into them, reading and writing.
 #include "session.hpp"
 
-#include "convert_scalar.hpp"
 #include "dwarf_die.hpp"
 #include "error.hpp"
+#include "safe_memory.hpp"
 #include "suggest.hpp"
 
 #include <dwarf.h>
@@ -65,25 +65,26 @@ void Session::unknown_variable(const std::string &name) const {
     fail("unknown_variable", Tree::atom(name), close.tree());
 }
 
-namespace {
-
 // Follows a pointer in memory before a step into what it points to.
-unsigned char *followed(TermReader &reader, Term path, const unsigned char *address) {
+void Session::follow(TermReader &reader, Term path, Place &place) {
     unsigned char *target = nullptr;
-    std::memcpy(&target, address, sizeof target);
+    if (!place.behind_pointer) {
+        std::memcpy(&target, place.address, sizeof target);
+    } else if (!read_safely(&target, place.address, sizeof target)) {
+        fail("bad_pointer", Tree::foreign(reader, path));
+    }
     if (target == nullptr) {
         fail("null_pointer", Tree::foreign(reader, path));
     }
-    return target;
+    place.address = target;
+    place.behind_pointer = true;
 }
-
-} // namespace
 
 void Session::step_member(TermReader &reader, Term path, Term step, const std::string &name,
                           Place &place) {
     const Type *type = place.member.type;
     if (type->kind == Kind::Pointer) {
-        place.address = followed(reader, path, place.address);
+        follow(reader, path, place);
         type = &type->target();
     }
     Suggestions close(name);
@@ -114,7 +115,7 @@ void Session::step_index(TermReader &reader, Term path, std::int64_t index, Plac
              Tree::integer(array ? static_cast<std::int64_t>(type.count) : 0));
     }
     if (!array) {
-        place.address = followed(reader, path, place.address);
+        follow(reader, path, place);
     }
     place.address += index * static_cast<std::int64_t>(element->size);
     place.member = Member{Name(), element, 0, 0};
@@ -163,33 +164,41 @@ Session::Place Session::walk(TermReader &reader, Term path) {
 
 void Session::get(TermReader &reader, Term path, TermWriter &writer) {
     const Place place = walk(reader, path);
-    member_out(*this, writer, place.member, place.address);
+    const unsigned char *bytes = place.address;
+    if (place.behind_pointer) {
+        arena_.clear();
+        auto *copy = static_cast<unsigned char *>(arena_.take_raw(place.extent()));
+        if (!read_safely(copy, place.address, place.extent())) {
+            fail("bad_pointer", Tree::foreign(reader, path));
+        }
+        bytes = copy;
+    }
+    member_out(*this, writer, place.member, bytes);
 }
 
+// Converted apart and copied when all of it is right, so that an error leaves the variable as it
+// was.
 void Session::set(TermReader &reader, Term path, Term value) {
     const Place place = walk(reader, path);
-    const Type &type = *place.member.type;
+    const std::size_t size = place.extent();
     if (is_read_only(place.address)) {
         fail("read_only", Tree::foreign(reader, path));
     }
     arena_.clear();
-    // Converted apart and copied when all of it is right, so that an error leaves the variable as
-    // it was.
-    const std::size_t size =
-        place.member.bit_size != 0 ? place.member.bit_offset / 8 + 9 : type.size;
-    auto *scratch = static_cast<unsigned char *>(arena_.take(size));
+    auto *copy = static_cast<unsigned char *>(arena_.take(size));
+    // A bit-field shares its bytes with others.
+    if (place.member.bit_size != 0 && !read_safely(copy, place.address, size)) {
+        fail("bad_pointer", Tree::foreign(reader, path));
+    }
     try {
-        if (place.member.bit_size != 0) {
-            member_in(*this, reader, value, place.member, scratch, kept_);
-            const std::uint64_t bits =
-                load_bits(scratch, place.member.bit_offset, place.member.bit_size);
-            store_bits(place.address, place.member.bit_offset, place.member.bit_size, bits);
-        } else {
-            value_in(*this, reader, value, type, scratch, kept_);
-            std::memcpy(place.address, scratch, type.size);
-        }
+        member_in(*this, reader, value, place.member, copy, kept_);
     } catch (const ValueError &error) {
         fail("value", Tree::foreign(reader, path), error.detail());
+    }
+    if (!place.behind_pointer) {
+        std::memcpy(place.address, copy, size);
+    } else if (!write_safely(place.address, copy, size)) {
+        fail("bad_pointer", Tree::foreign(reader, path));
     }
 }
 

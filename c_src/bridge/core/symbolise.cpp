@@ -7,6 +7,7 @@
 #include <cxxabi.h>
 #include <dwarf.h>
 #include <elfutils/libdwfl.h>
+#include <sys/stat.h>
 
 #include <cstdlib>
 
@@ -28,6 +29,10 @@ struct OpenModule {
 
 OpenModule open_module(const std::string &file) {
     OpenModule opened;
+    struct stat status;
+    if (stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
+        return opened;
+    }
     opened.dwfl.reset(dwfl_begin(&local_debug_files()));
     if (opened.dwfl == nullptr) {
         return opened;

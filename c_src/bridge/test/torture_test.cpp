@@ -82,6 +82,13 @@ void buffers_and_pointers(Talk &talk) {
     IS(talk, "{cstring,null}", "error: {null_pointer,null}");
     IS(talk, "{alloc,'struct nothing',[]}", "error: {unknown_type,'struct nothing'}");
     IS(talk, "{alloc,uint8_t,[256]}", "error: {value,uint8_t,{out_of_range,uint8_t,256}}");
+    talk.keep("W", "{call,wild,[]}");
+    CHECK(talk("{read,$W,1}").rfind("error: {bad_pointer,{ptr,'struct node',", 0) == 0);
+    CHECK(talk("{cstring,$W}").rfind("error: {bad_pointer,", 0) == 0);
+    CHECK(talk("{read_bytes,$W,1}").rfind("error: {bad_pointer,", 0) == 0);
+    CHECK(talk("{get,[$W,value]}").rfind("error: {bad_pointer,[", 0) == 0);
+    CHECK(talk("{get,[$W,next,value]}").rfind("error: {bad_pointer,[", 0) == 0);
+    CHECK(talk("{set,[$W,value],1}").rfind("error: {bad_pointer,[", 0) == 0);
     talk.keep("M", "{call,make_block,[8]}");
     IS(talk, "{read_bytes,$M,0}", "<<\"\">>");
     CHECK(talk("{free,$M}").rfind("error: {bad_pointer,{ptr,void,", 0) == 0);
@@ -217,6 +224,11 @@ void variables(Talk &talk, bool optimised) {
     talk.keep("N", "{call,first_node,[]}");
     IS(talk, "{get,[$N,value]}", "1");
     IS(talk, "{get,[$N,next,value]}", "2");
+    IS(talk, "{set,[$N,next,value],22}", "ok");
+    IS(talk, "{get,[last,value]}", "22");
+    talk.keep("S", "{address_of,[switches]}");
+    IS(talk, "{set,[$S,level],3}", "ok");
+    IS(talk, "{get,[switches]}", "#{on=>0,level=>3,wide=>1}");
     talk.keep("Y", "{alloc,int,[3,10,20,30]}");
     IS(talk, "{call,sum_tail,[$Y]}", "60");
     CHECK(std::strstr(talk("functions").c_str(),

@@ -239,6 +239,9 @@ void *make_block(size_t size) {
 void drop_block(void *block) {
     free(block);
 }
+struct node *wild(void) {
+    return (struct node *)4096;
+}
 double special(int which) {
     return which == 0 ? NAN : which > 0 ? INFINITY : -INFINITY;
 }
