@@ -12,10 +12,17 @@ lines(error, {cb, Reason}, _Stack) ->
 lines(Class, Reason, Stack) ->
     [text("~s:~0tP", [Class, Reason, 40]) | places(Stack)].
 
-%% @doc A text in lines without the blanks around them.
+%% @doc A text in lines without the blanks around them, and without addresses: those are others
+%% in every process, and a reason is compared with the recorded one.
 -spec trimmed(iodata()) -> [string()].
 trimmed(Text) ->
-    [string:trim(L) || L <- string:split(text("~ts", [Text]), "\n", all), string:trim(L) =/= ""].
+    Lines = string:split(text("~ts", [without_addresses(Text)]), "\n", all),
+    [string:trim(L) || L <- Lines, string:trim(L) =/= ""].
+
+%% Small ones are null pointers and members behind them.
+without_addresses(Text) ->
+    Pattern = "( at address)? 0x[0-9a-f]{5,}",
+    re:replace(Text, Pattern, "", [global, unicode, {return, binary}]).
 
 places(Stack) ->
     Own = [E || E <- Stack, is_tuple(E), not machinery(atom_to_list(element(1, E)))],
@@ -38,10 +45,14 @@ place({M, F, Arity, Where}) ->
 unstarted({cb, Reason}) -> unstarted(Reason);
 unstarted({badmatch, {error, Reason}}) -> unstarted(Reason);
 unstarted({{badmatch, {error, Reason}}, _}) -> unstarted(Reason);
-unstarted({load, _, _} = Reason) -> {true, text("~ts", [cb_error:format(Reason)])};
-unstarted({compile, _, _} = Reason) -> {true, text("~ts", [cb_error:format(Reason)])};
-unstarted({undefined_symbols, _} = Reason) -> {true, text("~ts", [cb_error:format(Reason)])};
-unstarted(_) -> false.
+unstarted(Reason) when is_tuple(Reason), tuple_size(Reason) > 1 ->
+    Kinds = [load, compile, undefined, stub, cache, bad_option, missing_option, needs_port],
+    case lists:member(element(1, Reason), Kinds) of
+        true -> {true, text("~ts", [cb_error:format(Reason)])};
+        false -> false
+    end;
+unstarted(_) ->
+    false.
 
 %% @doc Whether a reason is that C code took longer than its limit.
 -spec is_timeout(term()) -> boolean().

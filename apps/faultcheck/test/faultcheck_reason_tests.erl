@@ -17,6 +17,14 @@ what_c_bridge_raises_is_in_its_words_test() ->
     Said = unicode:characters_to_list(cb_error:format(Reason)),
     ?assertEqual([Said], faultcheck_reason:lines(error, {cb, Reason}, [])).
 
+addresses_are_left_out_test() ->
+    ?assertEqual(
+        ["crash: SIGFPE in f(), at f (a.c:3)"],
+        faultcheck_reason:trimmed("crash: SIGFPE at address 0x7f207a09619c in f(), at f (a.c:3)\n")
+    ),
+    Null = "crash: SIGSEGV at address 0x10 in f()",
+    ?assertEqual([Null], faultcheck_reason:trimmed(["  ", Null])).
+
 not_started_test_() ->
     Load = {load, "libx.so", no_debug_info},
     [
