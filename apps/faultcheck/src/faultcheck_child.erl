@@ -56,8 +56,9 @@ erl() -> filename:join([code:root_dir(), "bin", "erl"]).
 %% Large scheduler stacks: C code called through the NIF runs on them.
 arguments() ->
     Ebins = [filename:dirname(code:which(M)) || M <- [?MODULE, cb_guard]],
-    ["-noinput", "+sss", ?STACK_KILOWORDS, "+sssdcpu", ?STACK_KILOWORDS, "-pa" | Ebins] ++
-        ["-s", "faultcheck_worker", "main"].
+    Stacks = ["+sss", ?STACK_KILOWORDS, "+sssdcpu", ?STACK_KILOWORDS],
+    ["-boot", "no_dot_erlang", "-noinput" | Stacks] ++
+        ["-pa" | Ebins] ++ ["-s", "faultcheck_worker", "main"].
 
 greet(Guard, Log, Journal, Options) ->
     case cb_guard:next_event(Guard, ?START_MS) of

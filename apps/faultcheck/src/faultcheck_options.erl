@@ -17,6 +17,7 @@
     | non_neg_integer
     | string
     | {list, string | atom}
+    | seed
     | {one_of, [atom()]}.
 -type option() :: {
     Key :: atom(),
@@ -60,8 +61,7 @@ table() ->
         {any_to_integer, undefined, boolean, undefined, flag, "any() generates integers"},
         {sys_config, undefined, string, undefined, ours,
             "configuration file to set before the tests"},
-        {seed, undefined, non_neg_integer, undefined, ours,
-            "seed of the run, as a failure prints it"},
+        {seed, undefined, seed, undefined, ours, "seed of the run, as a failure prints it"},
         {transport, undefined, {one_of, [nif, port]}, undefined, ours,
             "how C code is called, whatever the model asks for"},
         {time, undefined, pos_integer, undefined, ours, "seconds to go on testing each property"},
@@ -129,8 +129,11 @@ bool(Key, "true", Rest, Options) -> parse(Rest, Options#{Key => true});
 bool(Key, "false", Rest, Options) -> parse(Rest, Options#{Key => false});
 bool(Key, Text, _Rest, _Options) -> bad(Key, boolean, Text).
 
-checked(seed, Value, _Rest, _Options) when Value > ?SEED_LIMIT ->
-    {error, lists:concat(["option --seed must be at most ", ?SEED_LIMIT])};
+%% The versions in which the seed was printed go beside it.
+checked(seed, {Seed, none}, Rest, Options) ->
+    parse(Rest, Options#{seed => Seed});
+checked(seed, {Seed, Versions}, Rest, Options) ->
+    parse(Rest, Options#{seed => Seed, seed_versions => Versions});
 checked(Key, Value, Rest, Options) ->
     parse(Rest, Options#{Key => Value}).
 
@@ -140,12 +143,14 @@ bad(Key, Type, Text) ->
 describe(boolean) -> "true or false";
 describe(pos_integer) -> "a whole number from 1";
 describe(non_neg_integer) -> "a whole number from 0";
+describe(seed) -> lists:concat(["a whole number from 0 to ", ?SEED_LIMIT, " as it was printed"]);
 describe(string) -> "a text";
 describe({list, _}) -> "names separated by commas";
 describe({one_of, Atoms}) -> lists:concat(lists:join(" or ", Atoms)).
 
 convert(pos_integer, Text) -> number(Text, 1);
 convert(non_neg_integer, Text) -> number(Text, 0);
+convert(seed, Text) -> seed(string:split(Text, "@"));
 convert(string, "") -> error;
 convert(string, Text) -> {ok, Text};
 convert({one_of, Atoms}, Text) -> one_of([A || A <- Atoms, atom_to_list(A) =:= Text]);
@@ -155,6 +160,17 @@ number(Text, Least) ->
     case string:to_integer(Text) of
         {N, ""} when is_integer(N), N >= Least -> {ok, N};
         _ -> error
+    end.
+
+%% `Seed' or `Seed@FaultCheck,PropEr,OTP'.
+seed([Text | Versions]) ->
+    case {number(Text, 0), [string:lexemes(V, ",") || V <- Versions]} of
+        {{ok, Seed}, []} when Seed =< ?SEED_LIMIT ->
+            {ok, {Seed, none}};
+        {{ok, Seed}, [[F, P, O]]} when Seed =< ?SEED_LIMIT ->
+            {ok, {Seed, #{faultcheck => F, proper => P, otp => O}}};
+        _ ->
+            error
     end.
 
 one_of([Atom]) -> {ok, Atom};
@@ -190,6 +206,7 @@ check([Other | _], _Options) ->
 valid(boolean, V) -> is_boolean(V);
 valid(pos_integer, V) -> is_integer(V) andalso V >= 1;
 valid(non_neg_integer, V) -> is_integer(V) andalso V >= 0;
+valid(seed, V) -> is_integer(V) andalso V >= 0 andalso V =< ?SEED_LIMIT;
 valid(string, V) -> io_lib:printable_unicode_list(V);
 valid({one_of, Atoms}, V) -> lists:member(V, Atoms);
 valid({list, atom}, V) -> is_list(V) andalso lists:all(fun is_atom/1, V);
@@ -247,6 +264,7 @@ arg(boolean) -> "";
 arg({one_of, Atoms}) -> [" ", lists:join("|", [atom_to_list(A) || A <- Atoms])];
 arg({list, _}) -> " A,B";
 arg(string) -> " TEXT";
+arg(seed) -> " SEED";
 arg(_) -> " N".
 
 shown(Default) when is_atom(Default) -> atom_to_list(Default);

@@ -75,10 +75,10 @@ outcome({Property, Task}, Result, Info, #{options := Options} = Context) ->
     },
     repeatable(Task, maps:merge(Common, Result), Context).
 
-words({Module, Property}, #{options := Options, seed := Seed}) ->
+words({Module, Property}, #{options := Options, seed := Seed, versions := Versions}) ->
     lists:append([
         ["-m", atom_to_list(Module), "-p", atom_to_list(Property)],
-        ["--seed", integer_to_list(Seed)],
+        ["--seed", faultcheck_versions:seed(Seed, Versions)],
         faultcheck_options:arguments(Options)
     ]).
 

@@ -242,11 +242,15 @@ batches(First, #run{numtests = Numtests, deadline = Deadline} = Run) ->
         #{status := passed} = Passed ->
             case now_ms() < Deadline of
                 true -> batches(First + Numtests, Run);
-                false -> Passed
+                false -> passed(Passed, Run)
             end;
         Result ->
             Result
     end.
+
+passed(Result, #run{tests = Tests, tell = Tell}) ->
+    ok = Tell({show, utf8("OK: Passed ~b test(s).~n", [counters:get(Tests, 1)])}),
+    Result.
 
 %% The tests from number First + 1 on.
 tests(First, #run{numtests = Numtests, fails = Fails, tell = Tell} = Run) ->
@@ -372,8 +376,9 @@ repeats(Original, #run{property = Property, tell = Tell} = Run, Left, Failed) ->
     end.
 
 %% One test from its seed, with shrinking.
-shrunk(Number, Size, Run) ->
+shrunk(Number, Size, #run{tell = Tell} = Run) ->
     ok = faultcheck_statem:reset_shrink(),
+    ok = faultcheck_statem:set_progress(fun(How) -> Tell({tell, {shrinking, How}}) end),
     case single(Number, Size, [], shrink, #{}, Run) of
         true ->
             #{status => flaky, flaky => {0, 1}};

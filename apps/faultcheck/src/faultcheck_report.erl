@@ -1,7 +1,7 @@
 %% @doc What a run prints, as lines, and its report in JSON.
 -module(faultcheck_report).
 
--export([title/1, failure/1, summary/1, progress/4, json/2]).
+-export([title/1, failure/1, summary/1, progress/4, shrinking_progress/2, json/2]).
 
 %% @doc `"Testing prop_stack:prop_push()"'.
 -spec title({module(), atom()}) -> string().
@@ -136,6 +136,11 @@ progress({_, Property}, Tests, Ms, Goal) ->
             {ms, _} -> ""
         end,
     text("~tp: ~b~ts tests, ~b/s, ~b s to go", [Property, Tests, Of, round(Rate), Left]).
+
+%% @doc One line on how far shrinking is.
+-spec shrinking_progress({module(), atom()}, #{atom() => non_neg_integer()}) -> string().
+shrinking_progress({_, Property}, #{tries := Tries, original := Original, length := Length}) ->
+    text("~tp: shrinking, ~b candidates, ~b commands of ~b", [Property, Tries, Length, Original]).
 
 %% @doc The report for machines.
 -spec json(faultcheck_versions:versions(), [faultcheck_runner:outcome()]) -> binary().

@@ -97,9 +97,17 @@ store(Last, Kept, Request) ->
 tests([], _Last, Request) ->
     say("===> 0/0 properties passed; no prop_* module in the test directories", [], Request),
     0;
-tests(Properties, Last, Request) ->
+tests(Properties, Last, #{options := Options} = Request) ->
+    Now = faultcheck_versions:all(),
+    Then = maps:get(seed_versions, Options, Now),
+    warn(faultcheck_versions:differences(Then, Now), "the seed may give other tests here", Request),
     Jobs = [{Property, run} || Property <- Properties],
     session(Jobs, Request, fun(Outcomes) -> keep_last(Last, Outcomes, Request) end).
+
+warn([], _What, _Request) ->
+    ok;
+warn(Differences, What, Request) ->
+    say("warning: ~ts: ~ts", [What, lists:join("; ", Differences)], Request).
 
 %% The failures of this run take the place of those before; when all passed, they stay.
 keep_last(File, Outcomes, Request) ->
@@ -144,7 +152,7 @@ replay({Case, Which}, #{options := Options} = Request) ->
     #{module := M, property := F, versions := Then, seed := Seed} = Case,
     CounterExample = maps:get(Which, Case),
     Differ = faultcheck_versions:differences(Then, faultcheck_versions:all()),
-    lists:foreach(fun(D) -> say("note: other versions: ~ts", [D], Request) end, Differ),
+    warn(Differ, "the case was recorded with other versions", Request),
     With = Request#{options := maps:merge(recorded(Case), Options#{seed => Seed})},
     Job = {{M, F}, {replay, CounterExample}},
     with_session(With, fun(Run, Session) ->

@@ -65,7 +65,7 @@ run(Job, #{child := Child} = Session) ->
     },
     loop(Watch, #{}, Shown, Session).
 
-loop(Watch, Info, Shown, #{child := Child} = Session) ->
+loop(Watch, Info, #{job := Job} = Shown, #{child := Child} = Session) ->
     case faultcheck_child:next(Child, Watch) of
         {{output, Text}, Next} ->
             loop(Next, Info, shown(Text, clear(Shown, Session), Session), Session);
@@ -75,6 +75,9 @@ loop(Watch, Info, Shown, #{child := Child} = Session) ->
             loop(Next, Info#{failed => Failure}, Shown, Session);
         {{progress, Tests}, Next} ->
             loop(Next, Info#{tests => Tests}, progress(Tests, Info, Shown, Session), Session);
+        {{shrinking, How}, Next} ->
+            Line = faultcheck_report:shrinking_progress(property(Job), How),
+            loop(Next, Info, progress_line(Line, Shown, Session), Session);
         {{result, Result}, _} ->
             ok = end_line(Shown, Session),
             {{result, Result, Info}, Session};
@@ -129,12 +132,20 @@ output(_Text, _Session) -> ok.
 -spec print(iodata(), session()) -> ok.
 print(Text, #{config := #{print := Print}}) -> Print(Text).
 
-progress(Tests, Info, #{began := Began, next := Next, job := Job} = Shown, Session) ->
+%% Nothing is said while the failing test is shrunk: that has a line of its own.
+progress(_Tests, #{failed := _}, Shown, _Session) ->
+    Shown;
+progress(Tests, Info, #{began := Began, job := Job} = Shown, Session) ->
+    Goal = goal(Job, Info),
+    Line = faultcheck_report:progress(property(Job), Tests, now_ms() - Began, Goal),
+    progress_line(Line, Shown, Session).
+
+%% Not more often than somebody wants to read.
+progress_line(Line, #{next := Next} = Shown, Session) ->
     #{config := #{verbose := Verbose, terminal := Terminal}} = Session,
     Now = now_ms(),
     case Verbose andalso Now >= Next of
         true ->
-            Line = faultcheck_report:progress(property(Job), Tests, Now - Began, goal(Job, Info)),
             _ = maps:get(midline, Shown) andalso print("\n", Session),
             show_progress(Line, Terminal, Session),
             Shown#{next := Now + interval(Terminal), open := Terminal, midline := false};

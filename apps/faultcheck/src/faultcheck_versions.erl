@@ -1,7 +1,7 @@
 %% @doc Which versions a result belongs to. A seed repeats a run only with the same ones.
 -module(faultcheck_versions).
 
--export([all/0, proper/0, git/0, text/1, differences/2]).
+-export([all/0, proper/0, git/0, text/1, seed/2, differences/2]).
 -export_type([versions/0]).
 
 -type versions() :: #{
@@ -66,10 +66,17 @@ collect(Port, Text) ->
 %% @doc `"FaultCheck 0.1.0, PropEr 1.2, OTP 25, git 0123456789"'.
 -spec text(versions()) -> string().
 text(#{faultcheck := F, proper := P, otp := O, git := G}) ->
-    lists:flatten(io_lib:format("FaultCheck ~ts, PropEr ~ts, OTP ~ts, git ~ts", [F, P, O, G])).
+    text("FaultCheck ~ts, PropEr ~ts, OTP ~ts, git ~ts", [F, P, O, G]).
+
+%% @doc A seed as the command line takes it: with the versions that it belongs to.
+-spec seed(non_neg_integer(), versions()) -> string().
+seed(Seed, #{faultcheck := F, proper := P, otp := O}) ->
+    text("~b@~ts,~ts,~ts", [Seed, F, P, O]).
+
+text(Format, Args) -> lists:flatten(io_lib:format(Format, Args)).
 
 %% @doc What differs between two, in words; a seed of one may not repeat in the other.
--spec differences(versions(), versions()) -> [string()].
+-spec differences(#{atom() => string()}, versions()) -> [string()].
 differences(Then, Now) ->
     [
         lists:concat([Name, " ", maps:get(Key, Then), " then, ", maps:get(Key, Now), " now"])

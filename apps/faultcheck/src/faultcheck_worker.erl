@@ -27,6 +27,8 @@
     | {output, binary()}
     | {progress, non_neg_integer()}
     | {failed, faultcheck_property:failure()}
+    %% how far shrinking is: tries, accepted, original, length
+    | {shrinking, #{atom() => non_neg_integer()}}
     | {result, faultcheck_property:result()}
     | {died, string()}
     | stopped.

@@ -21,6 +21,10 @@ forms_test_() ->
             {["-v", "false"], verbose, false},
             {["--noshrink=true"], noshrink, true},
             {["--transport", "port"], transport, port},
+            {["--seed", "5"], seed, 5},
+            {["--seed", "5@0.1.0,1.2,25"], seed, 5},
+            {["--seed", "5@0.1.0,1.2,25"], seed_versions,
+                #{faultcheck => "0.1.0", proper => "1.2", otp => "25"}},
             {["--start_size", "0"], start_size, 0},
             {["--junit", "a b.xml"], junit, "a b.xml"}
         ]
@@ -37,7 +41,12 @@ errors_test_() ->
             {["-n", "12x"], "option --numtests must be a whole number from 1, not 12x"},
             {["--transport", "tcp"], "option --transport must be nif or port, not tcp"},
             {["--retry=maybe"], "option --retry must be true or false, not maybe"},
-            {["--seed", "4294967296"], "option --seed must be at most 4294967295"},
+            {["--seed", "4294967296"],
+                "option --seed must be a whole number from 0 to 4294967295 as it was printed, not"
+                " 4294967296"},
+            {["--seed", "5@0.1.0"],
+                "option --seed must be a whole number from 0 to 4294967295 as it was printed, not"
+                " 5@0.1.0"},
             {["-p", ","], "option --prop must be names separated by commas, not ,"},
             {["prop_x"], "unexpected argument prop_x; options begin with - (see --help)"}
         ]

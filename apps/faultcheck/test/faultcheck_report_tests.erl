@@ -48,6 +48,14 @@ progress_test() ->
         faultcheck_report:progress({m, prop_x}, 0, 2000, {ms, 10000})
     ).
 
+shrinking_progress_test() ->
+    ?assertEqual(
+        "prop_x: shrinking, 40 candidates, 7 commands of 90",
+        faultcheck_report:shrinking_progress(
+            {m, prop_x}, #{tries => 40, accepted => 3, original => 90, length => 7}
+        )
+    ).
+
 json_test() ->
     Versions = maps:get(versions, failure()),
     {ok, #{<<"total">> := 1, <<"passed">> := 0, <<"properties">> := [P]}} =

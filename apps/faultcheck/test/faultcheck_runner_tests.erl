@@ -54,7 +54,13 @@ wrong(Dir) ->
     {Status, Text} = run(["-p", "prop_wrong", "--seed", "7"], Dir),
     ?assertEqual(1, Status),
     contains("postcondition false", Text),
-    contains("repeat: faultcheck proper -m faultcheck_unruly -p prop_wrong --seed 7", Text),
+    contains("repeat: faultcheck proper -m faultcheck_unruly -p prop_wrong --seed 7@", Text),
+    [_, Repeat] = string:split(Text, "repeat: faultcheck proper "),
+    [Words, _] = string:split(Repeat, "\n"),
+    {1, Repeated} = capture(string:lexemes(Words, " "), Dir),
+    ?assertEqual(Text, Repeated),
+    {1, Warned} = run(["-p", "prop_wrong", "--seed", "7@0.0.1,1.2,24"], Dir),
+    contains("warning: the seed may give other tests here: FaultCheck 0.0.1 then", Warned),
     contains("minimal", Text),
     #{shrunk := [Commands], seed := 7, status := failed} = the_case(Dir),
     ?assertEqual(10, sum(Commands)).
@@ -232,6 +238,7 @@ unknown(Dir) ->
 time(Dir) ->
     File = filename:join(Dir, "t.json"),
     {0, Text} = run(["-p", "prop_good", "--time", "1", "--json", File], Dir),
+    contains("OK: Passed ", Text),
     contains("1/1 properties passed", Text),
     {ok, Json} = file:read_file(File),
     {ok, #{<<"properties">> := [#{<<"ms">> := Ms}]}} = faultcheck_json:decode(Json),

@@ -14,6 +14,7 @@ only_what_a_seed_depends_on_differs_test() ->
     ?assertEqual(
         ["PropEr 1.2 then, 1.5 now"], faultcheck_versions:differences(Then, Then#{proper := "1.5"})
     ),
+    ?assertEqual("7@0.1,1.2,25", faultcheck_versions:seed(7, Then)),
     ?assertEqual(
         "FaultCheck 0.1, PropEr 1.2, OTP 25, git a", faultcheck_versions:text(Then)
     ).
