@@ -29,7 +29,9 @@ std::vector<std::string> against_snapshot(const Mapped &library, const DebugInfo
     }
     std::vector<std::string> reasons;
     if (!imports.empty()) {
+        const bool counts = LoadedLibrary::symbol_of(library, "__gcov_dump") != nullptr;
         reasons.push_back(library.soname + " uses the heap (" + imports +
+                          (counts ? "; perhaps only its coverage counters do" : "") +
                           "), which a snapshot does not reset");
     }
     if (library.constructors() > foreign_constructors(info)) {
