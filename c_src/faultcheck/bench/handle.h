@@ -4,5 +4,7 @@
 
 void idle_by_handle(long count);
 void active_by_handle(long count);
+/* One value through ten probes. */
+void probe_ten(double *value);
 
 #endif

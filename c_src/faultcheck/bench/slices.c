@@ -4,6 +4,7 @@
 #include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 enum { SLICES = 24, ROUNDS = 5, SLICE_US = 400 };
@@ -13,6 +14,12 @@ void bench_pin(void) {
     CPU_ZERO(&own);
     CPU_SET((unsigned)sched_getcpu(), &own);
     sched_setaffinity(0, sizeof own, &own);
+}
+
+void bench_unpin(void) {
+    cpu_set_t all;
+    memset(&all, 0xff, sizeof all);
+    sched_setaffinity(0, sizeof all, &all);
 }
 
 static double now_ns(void) {

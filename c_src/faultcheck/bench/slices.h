@@ -7,6 +7,8 @@ typedef void (*bench_fn)(long count);
 
 /* Keeps this thread on the processor it is on. */
 void bench_pin(void);
+/* Lets the threads started from now on run on any processor. */
+void bench_unpin(void);
 
 /* Nanoseconds for one operation. */
 double bench_ns(bench_fn operation);

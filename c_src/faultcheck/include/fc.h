@@ -24,6 +24,7 @@
 #include "fc_context.h"
 #include "fc_fault.h"
 #include "fc_probe.h"
+#include "fc_record.h"
 #include "fc_trigger.h"
 
 #endif

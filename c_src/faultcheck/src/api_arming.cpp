@@ -1,20 +1,5 @@
-// Faults on channels, and finding and removing faults.
+// Finding, enabling and removing faults.
 #include "arming.h"
-
-namespace {
-
-using fc::ChannelModel;
-using fc::ChannelModelKind;
-
-fc_fault_id add_budget(fc_context *ctx, const char *channel, ChannelModelKind kind,
-                       int64_t packets) {
-    const bool good = packets >= 0;
-    return fc::add_channel_fault(fc::context_of(ctx), channel, ChannelModel{kind},
-                                 good ? static_cast<std::uint64_t>(packets) : 0,
-                                 good ? FC_OK : FC_E_ARG, "the number of packets is below 0");
-}
-
-} // namespace
 
 extern "C" {
 
@@ -36,30 +21,6 @@ int fc_enable(fc_context *ctx, fc_fault_id fault, bool enabled) {
 
 int fc_remove(fc_context *ctx, fc_fault_id fault) {
     return fc::remove_fault(fc::context_of(ctx), fault);
-}
-
-fc_fault_id fc_channel_add_corruption(fc_context *ctx, const char *channel, int byte, int bit) {
-    ChannelModel model{ChannelModelKind::corruption};
-    model.index = byte;
-    model.bit = bit;
-    int refusal = FC_OK;
-    const char *why = "";
-    if (byte < 0) {
-        refusal = FC_E_INDEX;
-        why = "the byte index is below 0";
-    } else if (bit < 0 || bit > 7) {
-        refusal = FC_E_BIT;
-        why = "the bit is not one of 0..7";
-    }
-    return fc::add_channel_fault(fc::context_of(ctx), channel, model, 0, refusal, why);
-}
-
-fc_fault_id fc_channel_add_drop(fc_context *ctx, const char *channel, int64_t packets) {
-    return add_budget(ctx, channel, ChannelModelKind::drop, packets);
-}
-
-fc_fault_id fc_channel_add_repeat(fc_context *ctx, const char *channel, int64_t packets) {
-    return add_budget(ctx, channel, ChannelModelKind::repeat, packets);
 }
 
 fc_fault_id fc_channel_latest(fc_context *ctx, const char *channel) {

@@ -1,6 +1,8 @@
 // The packet channels of fc.h.
 #include "api_channel.h"
 
+#include "call_inputs.h"
+
 #include <new>
 
 namespace fc {
@@ -21,16 +23,53 @@ Channel &channel_for_put(fc_context &context, const char *id) {
     return context.channel(name);
 }
 
+void record_packet(fc_context &context, Channel &channel, bool put, const CallInputs &inputs,
+                   const char *data, std::size_t size) {
+    const RecordedContent content{data, size};
+    if (context.recording.load(std::memory_order_relaxed))
+        context.recorder.write(channel.name.text(), &channel.recorded_as,
+                               {true, FC_BYTES, put, inputs.now, 0, content, content});
+}
+
+// Runs work under the traffic lock with the inputs that the channel's faults ask for.
+template <class Work>
+int with_inputs(fc_context &context, const Channel &channel, const Work &work) {
+    constexpr CallInputs kNone;
+    {
+        const Hold hold(context.traffic);
+        if (!channel.wants_inputs && !context.recording.load(std::memory_order_relaxed))
+            return work(kNone);
+    }
+    InputGatherer gatherer;
+    for (;;) {
+        {
+            const Hold hold(context.traffic);
+            if (channel.delays_by_time || context.recording.load(std::memory_order_relaxed))
+                gatherer.want_time();
+            for (const ChannelFault &fault : channel.faults)
+                gatherer.want(fault.fresh.trigger, fault.model.model);
+            if (gatherer.complete())
+                return work(gatherer.inputs());
+        }
+        gatherer.gather(context.clock);
+    }
+}
+
 } // namespace
 
 int channel_put(fc_context &context, const char *channel, const char *data, std::size_t len) {
     if (data == nullptr && len > 0)
         return report_channel(context, FC_E_ARG, channel, "data is NULL, packet not queued");
     return guarded(context, [&]() -> int {
+        Reports reports;
         Channel &known = channel_for_put(context, channel);
-        const Hold hold(context.traffic);
-        known.put(len > 0 ? data : "", len);
-        return FC_OK;
+        const int result = with_inputs(context, known, [&](const CallInputs &inputs) {
+            record_packet(context, known, true, inputs, data, len);
+            return known.put({context, len > 0 ? data : "", len, inputs, reports});
+        });
+        if (!reports.empty())
+            reports.deliver(context);
+        return result;
     });
 }
 
@@ -43,15 +82,19 @@ int channel_get(fc_context &context, const char *channel, const char *receiver, 
         return 0;
     return guarded(context, [&]() -> int {
         Reports reports;
-        int result = FC_E_RECEIVER;
-        {
-            const Hold hold(context.traffic);
-            if (!known->exists)
-                return 0;
+        const int result = with_inputs(context, *known, [&](const CallInputs &inputs) -> int {
             const int index = known->find_receiver(receiver);
-            if (index >= 0)
-                result = known->get(index, data, capacity, len, reports);
-        }
+            if (!known->exists || index < 0)
+                return known->exists ? FC_E_RECEIVER : 0;
+            std::size_t size = 0;
+            const int taken = known->get(
+                {context, static_cast<std::size_t>(index), inputs, data, capacity, &size, reports});
+            if (taken == 1)
+                record_packet(context, *known, false, inputs, data, size);
+            if (len != nullptr && (taken == 1 || taken == FC_E_SPACE))
+                *len = size;
+            return taken;
+        });
         if (result == FC_E_RECEIVER)
             return report_channel(context, FC_E_RECEIVER, channel,
                                   "no such receiver is subscribed");

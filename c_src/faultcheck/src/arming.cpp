@@ -74,19 +74,26 @@ fc_fault_id arm_probe(fc_context &context, const Name &name, const Model &model)
     return finish_adding(context, probe);
 }
 
-fc_fault_id arm_channel(fc_context &context, const Name &name, const ChannelModel &model,
-                        std::uint64_t budget) {
+// The channel a fault sends packets to must be there when a packet comes.
+void make_target(fc_context &context, const ChannelModel &model) {
+    if (model.kind == ChannelModelKind::misroute)
+        context.channel(make_name(model.text.data(), model.text.size()));
+}
+
+fc_fault_id arm_channel(fc_context &context, const Name &name, const ChannelModel &model) {
     const Arming armed(context.arming);
     Channel &channel = context.channel(name);
+    make_target(context, model);
     const Hold hold(context.traffic);
     ChannelFault fault;
     start_fault(context, channel, fault);
     fault.model = model;
-    fault.fresh.budget = budget;
+    fault.fresh.budget = model.budget;
     fault.runs.assign(channel.receivers.size(), fault.fresh);
     make_room(channel.faults);
     context.faults.emplace(fault.id, FaultPlace{nullptr, &channel});
     channel.faults.push_back(std::move(fault));
+    channel.note_faults();
     channel.exists = true;
     return finish_adding(context, channel);
 }
@@ -153,6 +160,7 @@ template <class Change> bool with_fault(fc_context &context, fc_fault_id id, Cha
         change(fault, fault.fresh);
         for (FaultRun &run : fault.runs)
             change(fault, run);
+        place->second.channel->note_faults();
     }
     return true;
 }
@@ -180,6 +188,7 @@ void disarm_probe(fc_context &context, Probe &probe) {
 void disarm_channel(fc_context &context, Channel &channel) {
     const Hold hold(context.traffic);
     disarm(context, channel);
+    channel.note_faults();
 }
 
 void remove_locked(fc_context &context, fc_fault_id id, const FaultPlace &place) {
@@ -192,6 +201,7 @@ void remove_locked(fc_context &context, fc_fault_id id, const FaultPlace &place)
     } else {
         const Hold hold(context.traffic);
         place.channel->faults.erase(find_in(place.channel->faults, id));
+        place.channel->note_faults();
     }
     context.faults.erase(id);
 }
@@ -243,9 +253,9 @@ fc_fault_id add_probe_fault(fc_context &context, const char *id, const Model &mo
 }
 
 fc_fault_id add_channel_fault(fc_context &context, const char *channel, const ChannelModel &model,
-                              std::uint64_t budget, int refusal, const char *why) {
+                              int refusal, const char *why) {
     return add_fault(context, Space::channels, channel, refusal, why,
-                     [&](const Name &name) { return arm_channel(context, name, model, budget); });
+                     [&](const Name &name) { return arm_channel(context, name, model); });
 }
 
 fc_fault_id add_bitflip(fc_context &context, const char *id, std::int64_t bit, std::int64_t most) {
@@ -312,6 +322,32 @@ void remove_all_channel_faults(fc_context &context) {
     const Arming armed(context.arming);
     for (const auto &channel : context.channels.all())
         disarm_channel(context, *channel);
+}
+
+int restrict_fault(fc_context &context, fc_fault_id id, const char *receiver) {
+    bool at_get = false;
+    bool found;
+    {
+        const Arming armed(context.arming);
+        const auto place = context.faults.find(id);
+        found = place != context.faults.end();
+        if (found && place->second.channel != nullptr) {
+            std::string name = receiver == nullptr ? "" : receiver;
+            const Hold hold(context.traffic);
+            ChannelFault &fault = *find_in(place->second.channel->faults, id);
+            at_get = !fault.model.met_at_put();
+            if (at_get) {
+                fault.for_one_receiver = true;
+                fault.receiver.swap(name);
+            }
+        }
+    }
+    if (!found)
+        return report_no_fault(context, id);
+    return at_get ? FC_OK
+                  : report(context, FC_E_ARG,
+                           format("fault %lld is not met at the gets of a channel",
+                                  static_cast<long long>(id)));
 }
 
 int enable_fault(fc_context &context, fc_fault_id id, bool enabled) {

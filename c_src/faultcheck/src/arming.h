@@ -9,7 +9,7 @@ namespace fc {
 fc_fault_id add_probe_fault(fc_context &context, const char *id, const Model &model, int refusal,
                             const char *why);
 fc_fault_id add_channel_fault(fc_context &context, const char *channel, const ChannelModel &model,
-                              std::uint64_t budget, int refusal, const char *why);
+                              int refusal, const char *why);
 
 // Parameter checks that several entry points share.
 fc_fault_id add_bitflip(fc_context &context, const char *id, std::int64_t bit, std::int64_t most);
@@ -39,6 +39,8 @@ int change_trigger(fc_context &context, fc_fault_id fault, const TriggerChange &
 int change_latest_trigger(fc_context &context, Space space, const char *id,
                           const TriggerChange &change);
 
+// FC_OK, FC_E_NO_FAULT; FC_E_ARG for a fault not met at a get.
+int restrict_fault(fc_context &context, fc_fault_id id, const char *receiver);
 int enable_fault(fc_context &context, fc_fault_id id, bool enabled);
 int remove_fault(fc_context &context, fc_fault_id id);
 void remove_probe_faults(fc_context &context, const char *id);

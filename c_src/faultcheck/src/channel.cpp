@@ -1,21 +1,24 @@
 #include "channel.h"
 
+#include "call_inputs.h"
 #include "channel_get.h"
+#include "channel_put.h"
 
 namespace fc {
 
 namespace {
 
-int get_directly(Channel &channel, std::size_t receiver, char *data, std::size_t capacity,
-                 std::size_t *len, Reports &reports) {
-    PacketQueue &queue = channel.receivers[receiver].queue;
-    if (queue.empty())
+int get_directly(Channel &channel, const GetCall &call) {
+    Receiver &receiver = channel.receivers[call.receiver];
+    PacketQueue &queue = receiver.queue;
+    if (queue.entries() == 0 || !queue.entry(0).hiding.over(receiver.gets, call.inputs.now))
         return 0;
-    const std::string &packet = queue.entry(0).bytes;
-    if (packet.size() > capacity)
-        return need_space(channel, packet.size(), capacity, len, reports);
-    deliver(packet, data, len);
-    queue.remove_front(1);
+    const std::size_t size = queue.entry(0).bytes.size();
+    if (size > call.capacity)
+        return need_space(channel, size, call);
+    queue.take_front(&receiver.last);
+    receiver.has_last = true;
+    deliver(receiver.last, call);
     return 1;
 }
 
@@ -38,38 +41,46 @@ void Channel::subscribe(const char *receiver) {
         Receiver added;
         added.name = receiver;
         added.subscribed = true;
-        for (ChannelFault &fault : faults)
+        std::vector<FaultRun> fresh;
+        for (ChannelFault &fault : faults) {
             fault.runs.reserve(receivers.size() + 1);
+            fresh.push_back(fault.fresh);
+        }
         receivers.push_back(std::move(added));
-        for (ChannelFault &fault : faults)
-            fault.runs.push_back(fault.fresh);
+        for (std::size_t at = 0; at < faults.size(); ++at)
+            faults[at].runs.push_back(std::move(fresh[at]));
     }
     exists = has_subscriptions = true;
 }
 
-void Channel::put(const char *data, std::size_t size) {
+int Channel::put(const PutCall &call) {
+    const int result =
+        has_put_faults ? put_through_faults(*this, call) : put_directly(*this, call, Hiding());
     exists = true;
-    if (!has_subscriptions) {
-        receivers[0].queue.push_back(data, size);
-        return;
-    }
-    for (Receiver &receiver : receivers)
-        if (receiver.subscribed)
-            receiver.queue.reserve(1);
-    for (Receiver &receiver : receivers)
-        if (receiver.subscribed)
-            receiver.queue.push_back(data, size);
+    ++puts;
+    return result;
 }
 
-int Channel::get(int receiver, char *data, std::size_t capacity, std::size_t *len,
-                 Reports &reports) {
-    const auto index = static_cast<std::size_t>(receiver);
-    const int result = faults.empty()
-                           ? get_directly(*this, index, data, capacity, len, reports)
-                           : get_through_faults(*this, index, data, capacity, len, reports);
-    if (result >= 0)
+int Channel::get(const GetCall &call) {
+    const int result = faults.empty() ? get_directly(*this, call) : get_through_faults(*this, call);
+    if (result >= 0) {
         ++gets;
+        ++receivers[call.receiver].gets;
+    }
     return result;
+}
+
+void Channel::note_faults() {
+    wants_inputs = delays_by_time;
+    has_put_faults = false;
+    for (const ChannelFault &fault : faults) {
+        if (fault.model.kind == ChannelModelKind::delay_time)
+            delays_by_time = wants_inputs = true;
+        if (wants_time(fault.fresh.trigger, fault.model.model) ||
+            wants_predicate(fault.fresh.trigger))
+            wants_inputs = true;
+        has_put_faults = has_put_faults || fault.model.met_at_put();
+    }
 }
 
 void Channel::clear_queues() {
@@ -78,12 +89,14 @@ void Channel::clear_queues() {
 }
 
 void Channel::reset() {
-    exists = has_subscriptions = latest_refused = false;
+    exists = has_subscriptions = latest_refused = delays_by_time = false;
     faults.clear();
+    note_faults();
     receivers.resize(1);
-    receivers[0].subscribed = false;
+    receivers[0].subscribed = receivers[0].has_last = false;
+    receivers[0].gets = 0;
     receivers[0].queue.clear();
-    gets = 0;
+    puts = gets = 0;
     next_ordinal = 0;
 }
 

@@ -1,35 +1,50 @@
 // The record of one packet channel.
 #pragma once
 
+#include "channel_model.h"
 #include "fault.h"
 #include "name.h"
 #include "packet_queue.h"
+#include "recorder.h"
 #include "report.h"
 
 namespace fc {
 
-enum class ChannelModelKind : std::uint8_t {
-    corruption,
-    drop,
-    repeat,
-};
-
-struct ChannelModel {
-    ChannelModelKind kind;
-    std::int64_t index = 0; // corruption: byte
-    std::int64_t bit = 0;   // corruption
-};
-
 struct ChannelFault : Fault {
     ChannelModel model;
+    bool for_one_receiver = false;
+    std::string receiver;       // if so
     FaultRun fresh;             // as armed, for receivers still to come
-    std::vector<FaultRun> runs; // one for each receiver
+    std::vector<FaultRun> runs; // one for each receiver; a fault met at a put uses the first
 };
 
 struct Receiver {
     std::string name;
     bool subscribed = false;
+    std::uint64_t gets = 0;
     PacketQueue queue;
+    bool has_last = false;
+    std::string last; // the packet delivered last
+};
+
+// What a get works with.
+struct GetCall {
+    fc_context &context;
+    std::size_t receiver;
+    const CallInputs &inputs;
+    char *data;
+    std::size_t capacity;
+    std::size_t *len;
+    Reports &reports;
+};
+
+// What a put works with.
+struct PutCall {
+    fc_context &context;
+    const char *data;
+    std::size_t size;
+    const CallInputs &inputs;
+    Reports &reports;
 };
 
 // Everything but the name is under the context's traffic lock.
@@ -39,18 +54,29 @@ struct Channel {
     StoredName name;
     bool exists = false; // got a packet, a fault or a receiver since fc_new or fc_reset
     bool has_subscriptions = false;
+    bool wants_inputs = false;   // a fault or a delayed packet asks for the time or a predicate
+    bool delays_by_time = false; // there has been a fault that does, since fc_new or fc_reset
+    bool has_put_faults = false;
     std::vector<Receiver> receivers; // the first is ""
     std::vector<ChannelFault> faults;
+    std::uint64_t puts = 0;
     std::uint64_t gets = 0;
     bool latest_refused = false;
     std::uint64_t next_ordinal = 0;
+    RecordedAs recorded_as;
 
-    // The receiver of that name that may get packets, or -1.
+    // The receiver of that name, or -1.
     int find_receiver(const char *receiver) const;
+    bool gets_packets(const Receiver &receiver) const {
+        return has_subscriptions ? receiver.subscribed : &receiver == &receivers.front();
+    }
     void subscribe(const char *receiver);
-    void put(const char *data, std::size_t size);
-    // Result and parameters of fc_channel_get.
-    int get(int receiver, char *data, std::size_t capacity, std::size_t *len, Reports &reports);
+    // FC_OK or FC_E_BLOCKED. Fails without a change.
+    int put(const PutCall &call);
+    // Result as fc_channel_get.
+    int get(const GetCall &call);
+    // After any change of the faults.
+    void note_faults();
     void clear_queues();
     void reset();
 };

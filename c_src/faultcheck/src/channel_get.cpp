@@ -1,149 +1,66 @@
 #include "channel_get.h"
 
-#include <new>
+#include "channel_put.h"
+#include "checkpoint.h"
+#include "get_fault.h"
 
 namespace fc {
 
 namespace {
 
-// The packet on its way to the receiver while the faults are walked.
-struct Transit {
-    QueueView queue;
-    bool present = false; // there is a packet to deliver
-    std::string current;
-    std::string clean; // current before any corruption
-
-    explicit Transit(PacketQueue &waiting) : queue(waiting) {
-        take_next();
-    }
-
-    void take_next() {
-        present = queue.take(&clean);
-        current = clean;
-    }
-};
-
-int corrupt(const ChannelModel &model, Transit &transit) {
-    if (static_cast<std::uint64_t>(model.index) >= transit.current.size())
-        return FC_E_INDEX;
-    char &byte = transit.current[static_cast<std::size_t>(model.index)];
-    byte = static_cast<char>(static_cast<unsigned char>(byte) ^ (1u << model.bit));
-    return FC_OK;
-}
-
-int drop(FaultRun &run, Transit &transit) {
-    if (run.budget == 0)
-        return FC_OK;
-    const std::uint64_t queued = transit.queue.depth();
-    const std::uint64_t discarded = run.budget <= queued ? run.budget : queued + 1;
-    run.budget -= discarded;
-    transit.queue.discard(discarded - 1);
-    transit.take_next();
-    return FC_OK;
-}
-
-// The copies are of the clean packet, so later gets apply the faults to them afresh.
-int repeat(FaultRun &run, Transit &transit) {
-    if (run.budget == 0)
-        return FC_OK;
-    transit.queue.put_back(transit.clean, run.budget);
-    run.budget = 0;
-    return FC_OK;
-}
-
-int apply(const ChannelModel &model, FaultRun &run, Transit &transit) {
-    switch (model.kind) {
-    case ChannelModelKind::corruption:
-        return corrupt(model, transit);
-    case ChannelModelKind::drop:
-        return drop(run, transit);
-    case ChannelModelKind::repeat:
-        return repeat(run, transit);
-    }
-    return FC_E_ARG;
-}
-
-Text why_skipped(const Channel &channel, const ChannelFault &fault, std::size_t size) {
-    return format(
-        "channel %s, fault %lld: corruption of byte %lld skipped, the packet has %zu bytes",
-        quoted(channel.name.text().c_str()).c_str(), static_cast<long long>(fault.id),
-        static_cast<long long>(fault.model.index), size);
-}
-
-void walk_faults(Channel &channel, std::size_t receiver, const CallInputs &inputs, Transit &transit,
-                 Reports &reports) {
+void walk_faults(Channel &channel, const GetCall &call, Transit &transit, Reports &reports) {
+    Receiver &receiver = channel.receivers[call.receiver];
     for (ChannelFault &fault : channel.faults) {
-        FaultRun &run = fault.runs[receiver];
-        if (!run.advance(fault.enabled, inputs, fault.random))
+        FaultRun &run = fault.runs[call.receiver];
+        if (fault.model.met_at_put() || (fault.for_one_receiver && fault.receiver != receiver.name))
             continue;
-        if (!transit.present) {
+        if (!run.advance(fault.enabled, call.inputs, fault.random))
+            continue;
+        if (transit.blocked || (!transit.present && !works_without_packet(fault.model.kind))) {
             ++run.counts.idle;
             continue;
         }
-        const int code = apply(fault.model, run, transit);
+        const std::size_t size = transit.current.size();
+        const int code = apply_at_get({fault, run, call, receiver}, transit);
         if (code == FC_OK)
             continue;
         run.count_skipped(code);
-        reports.add(code, fault.id, fault.meets(code),
-                    why_skipped(channel, fault, transit.current.size()));
+        reports.add(code, fault.id, fault.meets(code), why_skipped(channel, fault, code, size));
     }
 }
-
-// The faults' state before a get, to be put back when the get fails.
-class Checkpoint {
-  public:
-    Checkpoint(Channel &channel, std::size_t receiver) : channel_(channel), receiver_(receiver) {
-        before_.reserve(channel.faults.size());
-        for (const ChannelFault &fault : channel.faults)
-            before_.push_back({fault, fault.runs[receiver]});
-    }
-    void restore() {
-        for (std::size_t at = 0; at < before_.size(); ++at) {
-            static_cast<Fault &>(channel_.faults[at]) = before_[at].fault;
-            std::swap(channel_.faults[at].runs[receiver_], before_[at].run);
-        }
-    }
-
-  private:
-    struct Before {
-        Fault fault;
-        FaultRun run;
-    };
-    Channel &channel_;
-    std::size_t receiver_;
-    std::vector<Before> before_;
-};
 
 } // namespace
 
-int need_space(const Channel &channel, std::size_t needed, std::size_t capacity, std::size_t *len,
-               Reports &reports) {
-    if (len != nullptr)
-        *len = needed;
-    reports.add(FC_E_SPACE, 0, true,
-                format("channel %s: a packet of %zu bytes does not fit a buffer of %zu",
-                       quoted(channel.name.text().c_str()).c_str(), needed, capacity));
+int need_space(const Channel &channel, std::size_t needed, const GetCall &call) {
+    if (call.len != nullptr)
+        *call.len = needed;
+    call.reports.add(FC_E_SPACE, 0, true,
+                     format("channel %s: a packet of %zu bytes does not fit a buffer of %zu",
+                            quoted(channel.name.text().c_str()).c_str(), needed, call.capacity));
     return FC_E_SPACE;
 }
 
-int get_through_faults(Channel &channel, std::size_t receiver, char *data, std::size_t capacity,
-                       std::size_t *len, Reports &reports) {
-    Checkpoint before(channel, receiver);
+int get_through_faults(Channel &channel, const GetCall &call) {
+    Checkpoint before(channel, call.receiver);
     try {
         Reports met;
-        Transit transit(channel.receivers[receiver].queue);
-        walk_faults(channel, receiver, CallInputs(), transit, met);
-        if (transit.present && transit.current.size() > capacity) {
+        Receiver &receiver = channel.receivers[call.receiver];
+        Transit transit(receiver, call.inputs);
+        walk_faults(channel, call, transit, met);
+        if (transit.present && transit.current.size() > call.capacity) {
             before.restore();
-            return need_space(channel, transit.current.size(), capacity, len, reports);
+            return need_space(channel, transit.current.size(), call);
         }
-        transit.queue.reserve_for_commit();
-        if (transit.present)
-            deliver(transit.current, data, len);
-        transit.queue.commit();
-        reports = std::move(met);
-        return transit.present ? 1 : 0;
-    } catch (const std::bad_alloc &) {
+        transit.reserve_for_commit();
+        transit.commit();
+        call.reports = std::move(met);
+        if (!transit.present)
+            return 0;
+        deliver(transit.current, call);
+        receiver.last.swap(transit.current);
+        receiver.has_last = true;
+        return 1;
+    } catch (...) {
         before.restore();
         throw;
     }

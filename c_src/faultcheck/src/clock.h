@@ -2,9 +2,11 @@
 #pragma once
 
 #include "fc_context.h"
-#include "spin_lock.h"
 
+#include <atomic>
+#include <memory>
 #include <mutex>
+#include <vector>
 
 namespace fc {
 
@@ -15,19 +17,22 @@ class Clock {
     void use(fc_clock_fn function, void *user);
     void advance(std::int64_t ns);
     // The manual clock back to 0.
-    void reset();
+    void reset() {
+        manual_ns_.store(0, std::memory_order_relaxed);
+    }
 
   private:
     struct Source {
-        fc_clock_fn function = nullptr; // null: monotonic, unless manual
-        void *user = nullptr;
-        bool manual = false;
-        std::int64_t manual_ns = 0;
+        fc_clock_fn function;
+        void *user;
     };
-    Source source() const;
+    enum class Kind { monotonic, manual, function };
 
-    mutable SpinLock lock_;
-    Source source_;
+    std::atomic<Kind> kind_{Kind::monotonic};
+    std::atomic<std::int64_t> manual_ns_{0};
+    std::atomic<const Source *> source_{nullptr};
+    std::mutex lock_;
+    std::vector<std::unique_ptr<Source>> sources_; // kept: a reader may still be using an old one
 };
 
 } // namespace fc

@@ -84,6 +84,9 @@ void fc_context::reset() {
     }
     faults.clear();
     next_fault = 1;
+    recorder.clear();
+    recording.store(false, std::memory_order_relaxed);
+    counting = false;
     seed = first_seed;
     clock.reset();
     error_count.store(0, std::memory_order_relaxed);
@@ -100,6 +103,14 @@ void fc_context::reseed(std::uint64_t new_seed) {
     for (const auto &channel : channels.all())
         for (fc::ChannelFault &fault : channel->faults)
             fault.random = fc::RandomStream(seed, channel->name.text(), fault.ordinal);
+}
+
+void fc_context::watch() {
+    const bool watched = counting || recording.load(std::memory_order_relaxed);
+    for (const auto &probe : probes.all()) {
+        const std::lock_guard<fc::SpinLock> hold(probe->lock);
+        probe->watch(watched);
+    }
 }
 
 extern "C" {
@@ -158,7 +169,11 @@ void fc_seed(fc_context *ctx, uint64_t seed) {
 }
 
 void fc_set_clock(fc_context *ctx, fc_clock_fn clock, void *user) {
-    fc::context_of(ctx).clock.use(clock, user);
+    fc_context &context = fc::context_of(ctx);
+    fc::guarded(context, [&]() -> int {
+        context.clock.use(clock, user);
+        return FC_OK;
+    });
 }
 
 void fc_advance(fc_context *ctx, int64_t ns) {

@@ -7,6 +7,8 @@
 #include "probe.h"
 
 #include <mutex>
+#include <new>
+#include <stdexcept>
 #include <unordered_map>
 
 namespace fc {
@@ -32,6 +34,8 @@ struct fc_context {
     fc::NameTable<fc::Channel> channels;
     std::atomic<std::uint64_t> error_count{0};
     fc::Clock clock;
+    fc::Recorder recorder;
+    std::atomic<bool> recording{false};
 
     // Everything that arms, disarms or lists. Guards the tables' writers and the members below it.
     std::mutex arming;
@@ -39,6 +43,7 @@ struct fc_context {
     fc_fault_id next_fault = 1;
     std::uint64_t seed;
     const std::uint64_t first_seed;
+    bool counting = false; // fc_count_calls
 
     // All channels' queues and faults.
     fc::SpinLock traffic;
@@ -51,6 +56,8 @@ struct fc_context {
     fc::Channel &channel(const fc::Name &name);
     void reset();
     void reseed(std::uint64_t new_seed);
+    // After a change of recording or counting: lets every probe know.
+    void watch();
 
   private:
     mutable fc::SpinLock callback_lock_;
@@ -70,10 +77,12 @@ inline fc_context &context_of(fc_context *ctx) {
 
 // Runs work and turns an exhausted memory into FC_E_NOMEM. work holds no lock when it throws out of
 // here.
-template <class Work> auto guarded(fc_context &context, Work work) -> decltype(work()) {
+template <class Work> auto guarded(fc_context &context, const Work &work) -> decltype(work()) {
     try {
         return work();
     } catch (const std::bad_alloc &) {
+        return report_no_memory(context);
+    } catch (const std::length_error &) { // more than any memory could hold
         return report_no_memory(context);
     }
 }

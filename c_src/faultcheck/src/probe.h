@@ -3,6 +3,7 @@
 
 #include "fault.h"
 #include "name.h"
+#include "recorder.h"
 #include "spin_lock.h"
 #include "value.h"
 
@@ -21,6 +22,7 @@ struct alignas(64) Probe {
     enum State : std::uint8_t {
         kUnseen = 1, // not yet probed as this type since fc_new or fc_reset
         kArmed = 2,
+        kWatched = 4, // calls are recorded or counted
     };
     std::atomic<std::uint8_t> state[kTypeCount];
 
@@ -28,8 +30,10 @@ struct alignas(64) Probe {
 
     SpinLock lock;
     std::vector<ProbeFault> faults; // in the order of adding
-    std::uint64_t calls = 0;        // while armed
+    std::uint64_t calls = 0;        // while armed or watched
     bool wants_inputs = false;      // a fault asks for the time or a predicate
+    bool watched = false;           // calls are recorded or counted
+    RecordedAs recorded_as;
 
     // Under the context's arming lock.
     bool listed = false; // seen or armed since fc_new or fc_reset
@@ -41,9 +45,18 @@ struct alignas(64) Probe {
         faults.clear();
         set_states(kUnseen);
         calls = 0;
-        wants_inputs = false;
+        wants_inputs = watched = false;
         listed = latest_refused = false;
         next_ordinal = 0;
+    }
+
+    // Under lock.
+    void watch(bool on) {
+        watched = on;
+        if (on)
+            set_flag(kWatched);
+        else
+            clear_flag(kWatched);
     }
 
     void set_states(std::uint8_t value) {

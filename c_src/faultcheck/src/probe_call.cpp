@@ -9,22 +9,19 @@ namespace fc {
 
 namespace {
 
-const char *const kTypeNames[kTypeCount] = {"f32", "f64", "i8",  "i16", "i32",  "i64",
-                                            "u8",  "u16", "u32", "u64", "bool", "bytes"};
-
 Text why_skipped(const Probe &probe, const ProbeFault &fault, fc_type type, int code) {
     const Text name = quoted(probe.name.text().c_str());
     const auto id = static_cast<long long>(fault.id);
     switch (code) {
     case FC_E_BIT:
         return format("probe %s, fault %lld: the probed %s has no bit %lld, fault skipped",
-                      name.c_str(), id, kTypeNames[type], static_cast<long long>(fault.model.n));
+                      name.c_str(), id, name_of_type(type), static_cast<long long>(fault.model.n));
     case FC_E_VALUE:
         return format("probe %s, fault %lld: the result does not exist as %s, value left as it was",
-                      name.c_str(), id, kTypeNames[type]);
+                      name.c_str(), id, name_of_type(type));
     default:
         return format("probe %s, fault %lld: the model does not apply to %s, fault skipped",
-                      name.c_str(), id, kTypeNames[type]);
+                      name.c_str(), id, name_of_type(type));
     }
 }
 
@@ -35,20 +32,63 @@ __attribute__((noinline, cold)) void note_skipped(const Probe &probe, ProbeFault
     reports.add(code, fault.id, fault.meets(code), why_skipped(probe, fault, type, code));
 }
 
-// Under the probe's lock.
+// Under the probe's lock. Returns how many faults were applied.
 template <class T>
-__attribute__((always_inline)) inline void walk_faults(Probe &probe, const CallInputs &inputs,
-                                                       T *value, Reports &reports) {
-    if (!probe.faults.empty())
-        ++probe.calls;
+__attribute__((always_inline)) inline std::uint32_t
+walk_faults(Probe &probe, const CallInputs &inputs, T *value, Reports &reports) {
+    std::uint32_t applied = 0;
+    ++probe.calls;
     for (ProbeFault &fault : probe.faults) {
         if (!fault.run.advance(fault.enabled, inputs, fault.random))
             continue;
         const int code =
             apply(FaultCall{fault.model, fault.run.state, fault.random, inputs}, value);
-        if (code != FC_OK)
+        if (code == FC_OK)
+            ++applied;
+        else
             note_skipped(probe, fault, TypeOf<T>::value, code, reports);
     }
+    return applied;
+}
+
+RecordedContent content_of(const ByteSpan &bytes) {
+    return {bytes.data, bytes.size};
+}
+template <class T> RecordedContent content_of(const T &value) {
+    return {&value, sizeof value};
+}
+
+// A copy of the value as it was before the faults.
+template <class T> class Before {
+  public:
+    explicit Before(const T &value) : value_(value) {}
+    RecordedContent content() const {
+        return content_of(value_);
+    }
+
+  private:
+    T value_;
+};
+template <> class Before<ByteSpan> {
+  public:
+    explicit Before(const ByteSpan &bytes) : bytes_(bytes.data, bytes.data + bytes.size) {}
+    RecordedContent content() const {
+        return {bytes_.data(), bytes_.size()};
+    }
+
+  private:
+    std::vector<unsigned char> bytes_;
+};
+
+// Under the probe's lock.
+template <class T>
+void walk_and_record(fc_context &context, Probe &probe, const CallInputs &inputs, T *value,
+                     Reports &reports) {
+    const Before<T> before(*value);
+    const std::uint32_t applied = walk_faults(probe, inputs, value, reports);
+    context.recorder.write(probe.name.text(), &probe.recorded_as,
+                           {false, TypeOf<T>::value, false, inputs.now, applied, before.content(),
+                            content_of(*value)});
 }
 
 int deliver(fc_context &context, const Reports &reports) {
@@ -65,13 +105,21 @@ template <class T>
 __attribute__((noinline)) void probe_with_inputs(fc_context &context, Probe &probe, T *value,
                                                  Reports &reports) {
     InputGatherer gatherer;
+    const bool recording = context.recording.load(std::memory_order_relaxed);
+    if (recording) {
+        gatherer.want_time();
+        gatherer.gather(context.clock);
+    }
     for (;;) {
         {
             const std::lock_guard<SpinLock> hold(probe.lock);
             for (const ProbeFault &fault : probe.faults)
                 gatherer.want(fault.run.trigger, fault.model);
             if (gatherer.complete()) {
-                walk_faults(probe, gatherer.inputs(), value, reports);
+                if (recording)
+                    walk_and_record(context, probe, gatherer.inputs(), value, reports);
+                else
+                    walk_faults(probe, gatherer.inputs(), value, reports);
                 return;
             }
         }
@@ -84,9 +132,10 @@ constexpr CallInputs kNoInputs;
 // True when the call is done.
 template <class T> bool probe_without_inputs(Probe &probe, T *value, Reports &reports) {
     const std::lock_guard<SpinLock> hold(probe.lock);
-    if (probe.wants_inputs)
+    if (probe.wants_inputs || probe.watched)
         return false;
-    walk_faults(probe, kNoInputs, value, reports);
+    if (!probe.faults.empty())
+        walk_faults(probe, kNoInputs, value, reports);
     return true;
 }
 
@@ -95,12 +144,24 @@ Probe &see(fc_context &context, Probe *known, const char *id, fc_type type) {
     const std::lock_guard<std::mutex> hold(context.arming);
     Probe &probe = known != nullptr ? *known : context.probe(read_name(id));
     probe.listed = true;
+    if (context.counting || context.recording.load(std::memory_order_relaxed)) {
+        const std::lock_guard<SpinLock> hold_probe(probe.lock);
+        probe.watch(true);
+    }
     probe.state[type].fetch_and(static_cast<std::uint8_t>(~Probe::kUnseen),
                                 std::memory_order_relaxed);
     return probe;
 }
 
 } // namespace
+
+Probe &monitored(fc_context &context, const char *id, fc_type type) {
+    Probe *known = context.probes.find(read_name(id));
+    if (known == nullptr ||
+        (known->state[type].load(std::memory_order_relaxed) & Probe::kUnseen) != 0)
+        return see(context, known, id, type);
+    return *known;
+}
 
 template <class T> int probe_armed(fc_context &context, Probe &probe, T *value) {
     if (value == nullptr)

@@ -8,7 +8,10 @@ namespace fc {
 // The first call of an identifier with a type. known: its record, or null when it has none yet.
 template <class T> int probe_unseen(fc_context &context, Probe *known, const char *id, T *value);
 
-// A call on an identifier that has faults.
+// The record of an identifier that is monitored, listed from now on.
+Probe &monitored(fc_context &context, const char *id, fc_type type);
+
+// A call on an identifier that has faults or is watched.
 template <class T> int probe_armed(fc_context &context, Probe &probe, T *value);
 
 // The call once the record is known.

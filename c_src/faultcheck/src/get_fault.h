@@ -1,0 +1,22 @@
+// The faults met at a get, one by one.
+#pragma once
+
+#include "transit.h"
+
+namespace fc {
+
+// What a fault that has been triggered works with.
+struct GetFault {
+    ChannelFault &fault;
+    FaultRun &run;
+    const GetCall &call;
+    const Receiver &receiver;
+};
+
+// True for a fault that can do something although there is no packet to deliver.
+bool works_without_packet(ChannelModelKind kind);
+
+// FC_OK, or why the fault was skipped.
+int apply_at_get(const GetFault &fault, Transit &transit);
+
+} // namespace fc
