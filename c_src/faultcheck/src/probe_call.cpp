@@ -100,31 +100,51 @@ int report_null(fc_context &context, const char *id) {
     return report(context, FC_E_ARG, format("probe %s: value is NULL", quoted(id).c_str()));
 }
 
+// Under the probe's lock.
+template <class T>
+void walk_watched(fc_context &context, Probe &probe, bool recording, const CallInputs &inputs,
+                  T *value, Reports &reports) {
+    if (recording)
+        walk_and_record(context, probe, inputs, value, reports);
+    else
+        walk_faults(probe, inputs, value, reports);
+}
+
 // The faults may change between the asking and the call, so this asks until nothing new is wanted.
+template <class T>
+__attribute__((noinline)) void probe_asking(fc_context &context, Probe &probe, bool recording,
+                                            T *value, Reports &reports) {
+    InputGatherer gatherer;
+    if (recording)
+        gatherer.want_time();
+    for (;;) {
+        gatherer.gather(context.clock);
+        const std::lock_guard<SpinLock> hold(probe.lock);
+        for (const ProbeFault &fault : probe.faults)
+            gatherer.want(fault.run.trigger, fault.model);
+        if (gatherer.complete()) {
+            walk_watched(context, probe, recording, gatherer.inputs(), value, reports);
+            return;
+        }
+    }
+}
+
+// A call that is recorded or counted, or whose faults ask for the time or a predicate.
 template <class T>
 __attribute__((noinline)) void probe_with_inputs(fc_context &context, Probe &probe, T *value,
                                                  Reports &reports) {
-    InputGatherer gatherer;
-    const bool recording = context.recording.load(std::memory_order_relaxed);
-    if (recording) {
-        gatherer.want_time();
-        gatherer.gather(context.clock);
-    }
-    for (;;) {
-        {
-            const std::lock_guard<SpinLock> hold(probe.lock);
-            for (const ProbeFault &fault : probe.faults)
-                gatherer.want(fault.run.trigger, fault.model);
-            if (gatherer.complete()) {
-                if (recording)
-                    walk_and_record(context, probe, gatherer.inputs(), value, reports);
-                else
-                    walk_faults(probe, gatherer.inputs(), value, reports);
-                return;
-            }
+    CallInputs inputs;
+    inputs.has_time = context.recording.load(std::memory_order_relaxed);
+    if (inputs.has_time)
+        inputs.now = context.clock.now();
+    {
+        const std::lock_guard<SpinLock> hold(probe.lock);
+        if (!probe.wants_inputs) {
+            walk_watched(context, probe, inputs.has_time, inputs, value, reports);
+            return;
         }
-        gatherer.gather(context.clock);
     }
+    probe_asking(context, probe, inputs.has_time, value, reports);
 }
 
 constexpr CallInputs kNoInputs;
@@ -168,7 +188,8 @@ template <class T> int probe_armed(fc_context &context, Probe &probe, T *value) 
         return report_null(context, probe.name.text().c_str());
     try {
         Reports reports;
-        if (!probe_without_inputs(probe, value, reports))
+        const std::uint8_t state = probe.state[TypeOf<T>::value].load(std::memory_order_relaxed);
+        if ((state & Probe::kWatched) != 0 || !probe_without_inputs(probe, value, reports))
             probe_with_inputs(context, probe, value, reports);
         return reports.empty() ? FC_OK : deliver(context, reports);
     } catch (const std::bad_alloc &) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <new>
-#include <stdexcept>
 
 namespace fc {
 
@@ -29,8 +28,7 @@ int Recorder::start(const char *file) {
     names_ = 0;
     sequence_ = 0;
     ++recording_;
-    buffer_.clear();
-    end_ = nullptr;
+    end_ = buffer_.get();
     if (!make_room(kMagicSize))
         return FC_E_NOMEM;
     put(kRecordingMagic, kMagicSize);
@@ -55,17 +53,17 @@ int Recorder::stop() {
 void Recorder::clear() {
     stop();
     const Hold hold(lock_);
-    std::string().swap(buffer_);
-    end_ = nullptr;
+    buffer_.reset();
+    end_ = limit_ = nullptr;
 }
 
 std::size_t Recorder::copy(void *data, std::size_t capacity) const {
     const Hold hold(lock_);
     if (end_ == nullptr || file_ != nullptr)
         return 0;
-    const auto size = static_cast<std::size_t>(end_ - buffer_.data());
+    const auto size = static_cast<std::size_t>(end_ - buffer_.get());
     if (const std::size_t part = std::min(size, capacity); part > 0)
-        std::memcpy(data, buffer_.data(), part);
+        std::memcpy(data, buffer_.get(), part);
     return size;
 }
 
@@ -104,38 +102,35 @@ void Recorder::put_content(fc_type type, const RecordedContent &content) {
 }
 
 bool Recorder::make_room(std::size_t size) {
-    const char *limit = buffer_.data() + buffer_.size();
-    if (end_ != nullptr && size <= static_cast<std::size_t>(limit - end_))
-        return true;
-    return grow(size);
+    return size <= static_cast<std::size_t>(limit_ - end_) || grow(size);
 }
 
 bool Recorder::grow(std::size_t size) {
     if (file_ != nullptr)
         flush();
-    const std::size_t used = end_ == nullptr ? 0 : static_cast<std::size_t>(end_ - buffer_.data());
-    if (size <= buffer_.size() - used)
+    const auto used = static_cast<std::size_t>(end_ - buffer_.get());
+    const auto capacity = static_cast<std::size_t>(limit_ - buffer_.get());
+    if (size <= capacity - used)
         return true;
-    try {
-        buffer_.resize(std::max({kFirstBuffer, 2 * buffer_.size(), used + size}));
-    } catch (const std::bad_alloc &) {
-        failure_ = FC_E_NOMEM;
-        return false;
-    } catch (const std::length_error &) {
+    const std::size_t larger = std::max({kFirstBuffer, 2 * capacity, used + size});
+    std::unique_ptr<char[]> next(new (std::nothrow) char[larger]);
+    if (next == nullptr) {
         failure_ = FC_E_NOMEM;
         return false;
     }
-    end_ = &buffer_[0] + used;
+    if (used > 0)
+        std::memcpy(next.get(), buffer_.get(), used);
+    buffer_ = std::move(next);
+    end_ = buffer_.get() + used;
+    limit_ = buffer_.get() + larger;
     return true;
 }
 
 void Recorder::flush() {
-    if (end_ == nullptr)
-        return;
-    const auto size = static_cast<std::size_t>(end_ - buffer_.data());
-    if (std::fwrite(buffer_.data(), 1, size, file_) != size)
+    const auto size = static_cast<std::size_t>(end_ - buffer_.get());
+    if (size > 0 && std::fwrite(buffer_.get(), 1, size, file_) != size)
         failure_ = FC_E_IO;
-    end_ = &buffer_[0];
+    end_ = buffer_.get();
 }
 
 } // namespace fc

@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <mutex>
 
 namespace fc {
@@ -66,8 +67,9 @@ class Recorder {
     std::uint32_t names_ = 0;
     std::uint64_t sequence_ = 0;
     std::FILE *file_ = nullptr; // null: to memory
-    std::string buffer_;
-    char *end_ = nullptr; // within buffer_
+    std::unique_ptr<char[]> buffer_;
+    char *end_ = nullptr;   // of what is written
+    char *limit_ = nullptr; // of the buffer
 };
 
 } // namespace fc
