@@ -81,10 +81,10 @@ a_fun_that_fails_fails_the_call_test() ->
 
 text_is_given_to_a_fun_as_text_test() ->
     Test = self(),
-    with_funs([{report, fun(Text, _) -> Test ! Text end}], fun(Lib) ->
+    with_funs([{report, fun(Text, _) -> Test ! {reported, Text} end}], fun(Lib) ->
         2.5 = cb:call(Lib, scaled, [3]),
         receive
-            Text -> ?assertEqual(<<"scaled">>, Text)
+            {reported, Text} -> ?assertEqual(<<"scaled">>, Text)
         end
     end).
 
