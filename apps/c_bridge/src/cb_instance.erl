@@ -1,12 +1,12 @@
 %% @doc One system under test behind a port program: started, asked, reset, ended.
 %%
 %% The functions take and give the state, and must all be called by the process that called
-%% start/1, because the port program sends its answers to that process. `cb_port' and `cb_keeper'
+%% start/2, because the port program sends its answers to that process. `cb_port' and `cb_keeper'
 %% hold such states. In fork mode the program loads the library once and a forked child of it serves
 %% one test; otherwise the program itself serves.
 -module(cb_instance).
 
--export([start/1, request/4, restart/2, stop/1, last_crash/1]).
+-export([start/2, request/3, restart/1, stop/1, last_crash/1]).
 -export_type([config/0, instance/0, ask_stub/0]).
 
 -type config() :: #{
@@ -27,6 +27,7 @@
 
 -record(instance, {
     config :: config(),
+    callback :: cb_program:callback(),
     log :: file:filename(),
     janitor :: cb_janitor:janitor(),
     restarts = 0 :: non_neg_integer(),
@@ -55,11 +56,13 @@
 
 %% @doc Starts the program and loads the library. The map returned is what the core says about it,
 %% with the reset chosen. The end of the calling process ends the system under test.
--spec start(config()) -> {ok, map(), instance()} | {error, term()}.
-start(Config) ->
+%% Ask runs a stub.
+-spec start(config(), ask_stub()) -> {ok, map(), instance()} | {error, term()}.
+start(Config, Ask) ->
     Log = log_file(Config),
     State = #instance{
         config = Config,
+        callback = stub_callback(Config, Ask),
         log = Log,
         log_from = cb_log:length(Log),
         janitor = cb_janitor:start([Log || maps:get(log, Config) =:= temporary])
@@ -75,20 +78,18 @@ start(Config) ->
 log_file(#{log := temporary}) -> cb_files:fresh_name("c_bridge", ".log");
 log_file(#{log := File}) -> File.
 
-%% @doc Any request of the table in docs/architecture.md. In is what a crash is reported in; Ask
-%% runs a stub.
--spec request(instance(), term(), cb_crash:sut(), ask_stub()) ->
+%% @doc Any request of the table in docs/architecture.md. In is what a crash is reported in.
+-spec request(instance(), term(), cb_crash:sut()) ->
     {{ok, term()} | {error, term()}, instance()}.
-request(#instance{down = none} = State, Request, In, Ask) ->
-    #instance{config = #{timeout := Timeout}} = State,
-    exchange(State, Request, In, Timeout, Ask);
-request(#instance{down = Why} = State, _Request, _In, _Ask) ->
+request(#instance{down = none, config = #{timeout := Timeout}} = State, Request, In) ->
+    exchange(State, Request, In, Timeout);
+request(#instance{down = Why} = State, _Request, _In) ->
     {{error, {not_running, Why}}, State}.
 
 %% @doc Resets the system under test, or starts it again if it is gone.
--spec restart(instance(), ask_stub()) -> {ok | {error, term()}, instance()}.
-restart(#instance{restarts = Restarts} = State, Ask) ->
-    reset(check_log(State#instance{restarts = Restarts + 1}), Ask).
+-spec restart(instance()) -> {ok | {error, term()}, instance()}.
+restart(#instance{restarts = Restarts} = State) ->
+    reset(check_log(State#instance{restarts = Restarts + 1})).
 
 %% @doc Ends the program and what it has forked, and removes a temporary log.
 -spec stop(instance()) -> ok.
@@ -121,10 +122,8 @@ check_log(State) ->
 
 %% ---- one request ---------------------------------------------------------------------------
 
-exchange(#instance{program = Program} = State, Request, In, Timeout, Ask) ->
-    Callback = fun(Function, Args) -> ask_stub(State, Ask, Function, Args) end,
-    {Outcome, Next} = cb_program:request(Program, Request, Timeout, Callback),
-    outcome(Outcome, State#instance{program = Next}, In, Timeout).
+exchange(#instance{program = Program} = State, Request, In, Timeout) ->
+    outcome(cb_program:request(Program, Request, Timeout), State, In, Timeout).
 
 outcome({ok, _} = Reply, State, In, _) -> check_sanitizer(Reply, State, In);
 outcome({error, _} = Reply, State, In, _) -> check_sanitizer(Reply, State, In);
@@ -133,16 +132,16 @@ outcome({child_ended, Ending}, State, In, _) -> died(Ending, State#instance{chil
 outcome(timeout, State, In, Ms) -> timed_out(State, In, Ms);
 outcome({abandoned, Why}, State, _In, _) -> gave_up({callback, Why}, ended_by(kill, State)).
 
-ask_stub(#instance{config = #{stubs := Stubs}}, Ask, Function, Args) ->
-    case Stubs of
-        #{Function := Fun} ->
-            case Ask(Function, Fun, Args) of
-                {ok, _} = Value -> Value;
-                {error, Why} -> {error, {Function, Why}}
-            end;
-        #{} ->
-            {error, {Function, no_such_stub}}
+stub_callback(#{stubs := Stubs}, Ask) ->
+    fun(Function, Args) ->
+        case Stubs of
+            #{Function := Fun} -> of_stub(Function, Ask(Function, Fun, Args));
+            #{} -> {error, {Function, no_such_stub}}
+        end
     end.
+
+of_stub(_Function, {ok, _} = Value) -> Value;
+of_stub(Function, {error, Why}) -> {error, {Function, Why}}.
 
 %% UBSan prints and goes on: what it printed belongs to this request.
 check_sanitizer(Reply, #instance{config = #{sanitize := []}} = State, _In) ->
@@ -173,8 +172,8 @@ down_of(Ending, #instance{log = Log, log_from = From} = State, In) ->
 
 %% In fork mode the parent is sound and knows the library; otherwise a fresh program is asked.
 frames(Addresses, #instance{program = Program, symbols = Known} = State) ->
-    {Frames, NowKnown, Next} = cb_symbols:frames(Addresses, Known, Program),
-    {Frames, State#instance{symbols = NowKnown, program = Next}}.
+    {Frames, NowKnown} = cb_symbols:frames(Addresses, Known, Program),
+    {Frames, State#instance{symbols = NowKnown}}.
 
 %% The C code cannot go on without the value of its stub.
 gave_up(Reason, State) ->
@@ -206,8 +205,8 @@ buried(#instance{program = Program} = State) ->
 
 %% ---- start, reset, stop ----------------------------------------------------------------------
 
-boot(#instance{config = Config, log = Log, janitor = Janitor} = State) ->
-    case cb_program:start(Log, maps:get(env, Config)) of
+boot(#instance{config = #{env := Env}, log = Log, janitor = Janitor} = State) ->
+    case cb_program:start(Log, Env, State#instance.callback) of
         {ok, Program} ->
             ok = cb_janitor:program(Janitor, cb_program:os_pid(Program)),
             load(State#instance{program = Program, child = none, down = none});
@@ -218,7 +217,7 @@ boot(#instance{config = Config, log = Log, janitor = Janitor} = State) ->
 load(#instance{config = Config, generation = Generation} = State) ->
     #{file := File, load_options := Options, slow_timeout := Timeout} = Config,
     Request = {load, File, Options#{generation => Generation}},
-    case exchange(State, Request, {load, File}, Timeout, fun no_stub/3) of
+    case exchange(State, Request, {load, File}, Timeout) of
         {{ok, Loaded}, Next} -> choose(Loaded, Next);
         {{error, Reason}, Next} -> {error, Reason, Next}
     end.
@@ -226,7 +225,7 @@ load(#instance{config = Config, generation = Generation} = State) ->
 choose(Loaded, #instance{config = #{reset := Asked, force_reset := Forced}} = State) ->
     case cb_reset:choose(port, Asked, Forced, Loaded) of
         {ok, Choice} ->
-            case requests(after_load(Choice), State#instance{choice = Choice}, fun no_stub/3) of
+            case requests(after_load(Choice), State#instance{choice = Choice}) of
                 {ok, Ready} -> {ok, maps:merge(Loaded, Choice), Ready};
                 {{error, Reason}, Failed} -> {error, Reason, Failed}
             end;
@@ -234,33 +233,31 @@ choose(Loaded, #instance{config = #{reset := Asked, force_reset := Forced}} = St
             {error, Reason, State}
     end.
 
-no_stub(Function, _Fun, _Args) -> {error, {Function, called_while_loading}}.
-
 after_load(#{method := snapshot} = Choice) -> [snapshot | cb_reset:requests(Choice)];
 after_load(#{method := fork} = Choice) -> [fork | cb_reset:requests(Choice)];
 after_load(Choice) -> cb_reset:requests(Choice).
 
 %% Each reset starts at most two generations of pointers: its own and that of the calls after it.
-reset(#instance{generation = Generation} = State, Ask) ->
-    reset_by_method(State#instance{generation = Generation + 2}, Ask).
+reset(#instance{generation = Generation} = State) ->
+    reset_by_method(State#instance{generation = Generation + 2}).
 
-reset_by_method(#instance{program = none} = State, _Ask) ->
+reset_by_method(#instance{program = none} = State) ->
     boot_again(State);
-reset_by_method(#instance{choice = #{method := respawn}} = State, _Ask) ->
+reset_by_method(#instance{choice = #{method := respawn}} = State) ->
     ok = shut_down(State),
     boot_again(State);
-reset_by_method(#instance{choice = #{method := fork}, child = none} = State, Ask) ->
-    again([fork], State#instance{down = none}, Ask);
-reset_by_method(#instance{choice = #{method := fork}} = State, Ask) ->
-    again([fork], end_child(State), Ask);
-reset_by_method(#instance{down = Why} = State, _Ask) when Why =/= none ->
+reset_by_method(#instance{choice = #{method := fork}, child = none} = State) ->
+    again([fork], State#instance{down = none});
+reset_by_method(#instance{choice = #{method := fork}} = State) ->
+    again([fork], end_child(State));
+reset_by_method(#instance{down = Why} = State) when Why =/= none ->
     boot_again(ended_by(kill, State));
-reset_by_method(#instance{choice = #{method := snapshot}} = State, Ask) ->
-    again([restore], State, Ask);
-reset_by_method(#instance{choice = #{method := reload}} = State, Ask) ->
-    again([reload], State, Ask);
-reset_by_method(State, Ask) ->
-    again([], State, Ask).
+reset_by_method(#instance{choice = #{method := snapshot}} = State) ->
+    again([restore], State);
+reset_by_method(#instance{choice = #{method := reload}} = State) ->
+    again([reload], State);
+reset_by_method(State) ->
+    again([], State).
 
 boot_again(State) ->
     case boot(State) of
@@ -268,40 +265,34 @@ boot_again(State) ->
         {error, Reason, Failed} -> {{error, Reason}, Failed#instance{down = Reason}}
     end.
 
-again(_, #instance{program = none} = State, _Ask) ->
+again(_, #instance{program = none} = State) ->
     boot_again(State);
-again(First, #instance{choice = Choice} = State, Ask) ->
-    requests(First ++ cb_reset:requests(Choice), State, Ask).
+again(First, #instance{choice = Choice} = State) ->
+    requests(First ++ cb_reset:requests(Choice), State).
 
-requests([], State, _Ask) ->
+requests([], State) ->
     {ok, State};
-requests([Request | Requests], State, Ask) ->
+requests([Request | Requests], State) ->
     #instance{config = #{slow_timeout := Timeout}} = State,
-    case exchange(State, Request, Request, Timeout, Ask) of
+    case exchange(State, Request, Request, Timeout) of
         {{ok, Child}, Next} when Request =:= fork ->
-            requests(Requests, Next#instance{child = Child}, Ask);
+            requests(Requests, Next#instance{child = Child});
         {{ok, _}, Next} ->
-            requests(Requests, Next, Ask);
+            requests(Requests, Next);
         {{error, Reason}, Next} ->
             {{error, Reason}, Next#instance{down = Reason}}
     end.
 
 %% The child writes its coverage counts and exits; the parent reports its end.
 end_child(#instance{program = Program} = State) ->
-    case cb_program:request(Program, end_test, ?STOP_MS, fun(_, _) -> {error, ending} end) of
-        {{ok, _}, Next} ->
-            case cb_program:await_child_end(Next, ?STOP_MS) of
-                {child_ended, _} -> State#instance{program = Next, child = none};
-                {ended, _} -> buried(State#instance{program = Next});
-                timeout -> ended_by(kill, State#instance{program = Next})
-            end;
-        {{child_ended, _}, Next} ->
-            State#instance{program = Next, child = none};
-        {{ended, _}, Next} ->
-            buried(State#instance{program = Next});
-        {_, Next} ->
-            ended_by(kill, State#instance{program = Next})
+    case cb_program:request(Program, end_test, ?STOP_MS) of
+        {ok, _} -> child_gone(cb_program:await_child_end(Program, ?STOP_MS), State);
+        Otherwise -> child_gone(Otherwise, State)
     end.
+
+child_gone({child_ended, _}, State) -> State#instance{child = none};
+child_gone({ended, _}, State) -> buried(State);
+child_gone(_, State) -> ended_by(kill, State).
 
 shut_down(#instance{program = none}) ->
     ok;

@@ -9,6 +9,9 @@
 
 -type keeper() :: pid().
 
+%% Who waits for the present answer.
+-define(CALLER, {?MODULE, caller}).
+
 %% @doc Starts the system under test of the configuration.
 -spec start(cb_instance:config(), pid() | none) -> {ok, map(), keeper()} | {error, term()}.
 start(Config, Owner) ->
@@ -44,7 +47,7 @@ await_reply(Keeper, Reference) ->
     end.
 
 init(Starter, Config, Owner) ->
-    case cb_instance:start(Config) of
+    case cb_instance:start(Config, fun ask_caller/3) of
         {ok, Info, Instance} ->
             Watched = [monitor(process, Owner) || is_pid(Owner)],
             Starter ! {self(), {started, Info}},
@@ -60,23 +63,27 @@ loop(Instance, Watched) ->
             ok = cb_instance:stop(Instance),
             From ! {Reference, reply, ok};
         {ask, From, Reference, Question} ->
-            {Reply, Next} = answer(Instance, Question, stub_runner(From, Reference)),
+            _ = put(?CALLER, {From, Reference}),
+            {Reply, Next} = answer(Instance, Question),
             From ! {Reference, reply, Reply},
             loop(Next, Watched);
         {'DOWN', Owner, process, _, _} when [Owner] =:= Watched ->
             cb_instance:stop(Instance)
     end.
 
-answer(Instance, {request, Request, In}, Ask) -> cb_instance:request(Instance, Request, In, Ask);
-answer(Instance, restart, Ask) -> cb_instance:restart(Instance, Ask);
-answer(Instance, last_crash, _) -> {cb_instance:last_crash(Instance), Instance}.
+answer(Instance, {request, Request, In}) -> cb_instance:request(Instance, Request, In);
+answer(Instance, restart) -> cb_instance:restart(Instance);
+answer(Instance, last_crash) -> {cb_instance:last_crash(Instance), Instance}.
 
-%% Stubs run in the process that called, so that they see its dictionary.
-stub_runner(From, Reference) ->
-    fun(Function, Fun, Args) ->
-        Monitor = monitor(process, From),
-        From ! {Reference, stub, Fun, Args},
-        await_stub(Monitor, From, Reference, Function)
+%% Stubs run in the process that called, so that they see its dictionary; during start, here.
+ask_caller(Function, Fun, Args) ->
+    case get(?CALLER) of
+        {From, Reference} ->
+            Monitor = monitor(process, From),
+            From ! {Reference, stub, Fun, Args},
+            await_stub(Monitor, From, Reference, Function);
+        undefined ->
+            cb_port:run_stub(Fun, Args)
     end.
 
 await_stub(Monitor, From, Reference, Function) ->

@@ -11,19 +11,18 @@
 -export([start/2, request/3, restart/1, stop/1, last_crash/1, run_stub/2]).
 -export_type([at/0]).
 
+%% The reference is the key of the state in the dictionary of the process.
 -opaque at() :: {own, pid(), reference()} | cb_keeper:keeper().
-
--define(STATE(Reference), {?MODULE, Reference}).
 
 %% @doc Starts and loads. The map returned is what the core says about the library, with the
 %% reset chosen.
 -spec start(cb_instance:config(), Owner :: pid() | none) ->
     {ok, at(), map()} | {error, term()}.
 start(Config, Owner) when Owner =:= self() ->
-    case cb_instance:start(Config) of
+    Reference = make_ref(),
+    case cb_instance:start(Config, stub_runner(Reference)) of
         {ok, Info, Instance} ->
-            Reference = make_ref(),
-            _ = put(?STATE(Reference), {idle, Instance}),
+            _ = put(Reference, {idle, Instance}),
             {ok, {own, self(), Reference}, Info};
         {error, _} = Error ->
             Error
@@ -37,17 +36,23 @@ start(Config, Owner) ->
 %% @doc Any request of the table in docs/architecture.md. In is what a crash is reported in.
 -spec request(at(), term(), cb_crash:sut()) -> {ok, term()} | {error, term()}.
 request({own, _, Reference} = At, Request, In) ->
-    case get(?STATE(Reference)) of
+    case get(Reference) of
         {idle, Instance} ->
-            Ask = stub_runner(Reference),
-            {Reply, Next} = cb_instance:request(Instance, Request, In, Ask),
-            _ = put(?STATE(Reference), {idle, Next}),
+            {Reply, Next} = cb_instance:request(Instance, Request, In),
+            ok = keep(Reference, Instance, Next),
             Reply;
         Other ->
             unusable(Other, At)
     end;
 request(Keeper, Request, In) ->
     cb_keeper:ask(Keeper, {request, Request, In}).
+
+%% Nothing changes as long as all goes well.
+keep(_Reference, Same, Same) ->
+    ok;
+keep(Reference, _Instance, Next) ->
+    _ = put(Reference, {idle, Next}),
+    ok.
 
 unusable({in_call, _} = Why, _) -> {error, Why};
 unusable(undefined, {own, Owner, _}) when Owner =:= self() -> {error, {not_running, stopped}};
@@ -56,9 +61,13 @@ unusable(undefined, {own, Owner, _}) -> {error, {other_process, Owner}}.
 %% While a stub runs, the system under test waits for it and takes no requests.
 stub_runner(Reference) ->
     fun(Function, Fun, Args) ->
-        Idle = put(?STATE(Reference), {in_call, Function}),
+        Before = put(Reference, {in_call, Function}),
         Value = run_stub(Fun, Args),
-        _ = put(?STATE(Reference), Idle),
+        _ =
+            case Before of
+                undefined -> erase(Reference);
+                _ -> put(Reference, Before)
+            end,
         Value
     end.
 
@@ -74,10 +83,10 @@ run_stub(Fun, Args) ->
 %% @doc Resets the system under test, or starts it again if it is gone.
 -spec restart(at()) -> ok | {error, term()}.
 restart({own, _, Reference} = At) ->
-    case get(?STATE(Reference)) of
+    case get(Reference) of
         {idle, Instance} ->
-            {Reply, Next} = cb_instance:restart(Instance, stub_runner(Reference)),
-            _ = put(?STATE(Reference), {idle, Next}),
+            {Reply, Next} = cb_instance:restart(Instance),
+            ok = keep(Reference, Instance, Next),
             Reply;
         Other ->
             unusable(Other, At)
@@ -94,9 +103,9 @@ stop(At) ->
     end.
 
 stop_running({own, _, Reference} = At) ->
-    case get(?STATE(Reference)) of
+    case get(Reference) of
         {idle, Instance} ->
-            _ = erase(?STATE(Reference)),
+            _ = erase(Reference),
             cb_instance:stop(Instance);
         Other ->
             unusable(Other, At)
@@ -106,7 +115,7 @@ stop_running(Keeper) ->
 
 -spec last_crash(at()) -> none | cb_crash:crash().
 last_crash({own, _, Reference}) ->
-    case get(?STATE(Reference)) of
+    case get(Reference) of
         {idle, Instance} -> cb_instance:last_crash(Instance);
         _ -> none
     end;

@@ -1,12 +1,12 @@
 %% @doc One running port program: a request, its answer, and how the program ends.
 %%
-%% All functions must be called by the process that called start/2: the port sends it its
+%% All functions must be called by the process that called start/3: the port sends it its
 %% messages. The port is not linked to it, so that the program's end is a message and no exit
 %% signal; who starts a program sees to its end (cb_janitor). Answers to requests that were given
 %% up are recognised by their number and dropped.
 -module(cb_program).
 
--export([start/2, request/4, await_end/2, await_child_end/2, signal/2, kill/1, stop/2, forget/1]).
+-export([start/3, request/3, await_end/2, await_child_end/2, signal/2, kill/1, stop/2, forget/1]).
 -export([os_pid/1]).
 -export_type([program/0, outcome/0, ending/0, callback/0, reason/0]).
 
@@ -14,7 +14,9 @@
     port :: port(),
     monitor :: reference(),
     os_pid :: non_neg_integer(),
-    next = 1 :: pos_integer()
+    callback :: callback(),
+    %% Of the last request. Outside of the record, so that a request makes no garbage to speak of.
+    number :: atomics:atomics_ref()
 }).
 
 -opaque program() :: #program{}.
@@ -35,69 +37,74 @@
 -define(SIGQUIT, 3).
 -define(SIGKILL, 9).
 
-%% @doc Starts the program; the library's own output goes to the file Log.
--spec start(file:filename(), [{string(), string() | false}]) ->
+%% @doc Starts the program; the library's own output goes to the file Log. Callback answers when
+%% a stub asks.
+-spec start(file:filename(), [{string(), string() | false}], callback()) ->
     {ok, program()} | {error, reason()}.
-start(Log, Env) ->
+start(Log, Env, Callback) ->
     case cb_files:program("c_bridge_port") of
-        {ok, Exe} -> hello(Exe, open(Exe, Log, Env));
+        {ok, Exe} -> hello(Exe, open(Exe, Log, Env, Callback));
         {error, _} = Error -> Error
     end.
 
-open(Exe, Log, Env) ->
+open(Exe, Log, Env, Callback) ->
     Options = [{args, [Log]}, {env, Env}, {packet, 4}, binary, exit_status, use_stdio],
     Port = open_port({spawn_executable, Exe}, Options),
     true = unlink(Port),
-    Monitor = monitor(port, Port),
+    #program{
+        port = Port,
+        monitor = monitor(port, Port),
+        os_pid = os_pid_of(Port),
+        callback = Callback,
+        number = atomics:new(1, [])
+    }.
+
+%% 0 if it has ended already.
+os_pid_of(Port) ->
     case erlang:port_info(Port, os_pid) of
-        {os_pid, OsPid} -> #program{port = Port, monitor = Monitor, os_pid = OsPid};
-        undefined -> #program{port = Port, monitor = Monitor, os_pid = 0}
+        {os_pid, OsPid} -> OsPid;
+        undefined -> 0
     end.
 
 hello(Exe, Program) ->
-    case request(Program, hello, ?HELLO_MS, fun no_callback/2) of
-        {{ok, #{protocol := ?PROTOCOL}}, Ready} ->
-            {ok, Ready};
-        {Other, Failed} ->
-            ok = kill(Failed),
-            _ = await_end(Failed, ?HELLO_MS),
+    case request(Program, hello, ?HELLO_MS) of
+        {ok, #{protocol := ?PROTOCOL}} ->
+            {ok, Program};
+        Other ->
+            ok = kill(Program),
+            _ = await_end(Program, ?HELLO_MS),
+            ok = forget(Program),
             {error, {load, Exe, {protocol, Other}}}
     end.
-
-no_callback(Function, _Args) -> {error, {unexpected_callback, Function}}.
 
 -spec os_pid(program()) -> non_neg_integer().
 os_pid(#program{os_pid = OsPid}) -> OsPid.
 
 %% @doc Sends a request and waits for its answer, or for the end of who should give it.
--spec request(program(), term(), timeout(), callback()) -> {outcome(), program()}.
-request(#program{next = Id} = Program, Request, Timeout, Callback) ->
-    case await_child_end(Program, 0) of
-        timeout ->
-            Packet = term_to_binary({Id, Request}),
-            Next = Program#program{next = Id + 1},
-            {send(Next, Packet, fun() -> await(Program, Id, Timeout, Callback) end), Next};
-        EndedBefore ->
-            {EndedBefore, Program}
+-spec request(program(), term(), timeout()) -> outcome().
+request(#program{number = Number} = Program, Request, Timeout) ->
+    Id = atomics:add_get(Number, 1, 1),
+    case send(Program, {Id, Request}) of
+        sent -> await(Program, Id, Timeout);
+        closed -> {ended, await_end(Program, 1000)}
     end.
 
-send(#program{port = Port} = Program, Packet, Then) ->
-    try port_command(Port, Packet) of
-        true -> Then()
+send(#program{port = Port}, Term) ->
+    try port_command(Port, term_to_binary(Term)) of
+        true -> sent
     catch
-        error:badarg -> {ended, await_end(Program, 1000)}
+        error:badarg -> closed
     end.
 
-await(#program{port = Port, monitor = Monitor} = Program, Id, Timeout, Callback) ->
+await(#program{port = Port, monitor = Monitor} = Program, Id, Timeout) ->
     receive
         {Port, {data, Packet}} ->
             case binary_to_term(Packet) of
                 {Id, ok, Value} -> {ok, Value};
                 {Id, error, Reason} -> {error, Reason};
                 {0, child, Ending} -> {child_ended, Ending};
-                {0, callback, Function, Args} ->
-                    answer(Program, Id, Timeout, Callback, Callback(Function, Args));
-                {Stale, _, _} when Stale < Id -> await(Program, Id, Timeout, Callback)
+                {0, callback, Function, Args} -> answer(Program, Id, Timeout, Function, Args);
+                {Stale, _, _} when Stale < Id -> await(Program, Id, Timeout)
             end;
         {Port, {exit_status, Status}} ->
             {ended, ending(Status)};
@@ -106,11 +113,16 @@ await(#program{port = Port, monitor = Monitor} = Program, Id, Timeout, Callback)
     after Timeout -> timeout
     end.
 
-answer(Program, Id, Timeout, Callback, {ok, Value}) ->
-    Packet = term_to_binary({callback, Value}),
-    send(Program, Packet, fun() -> await(Program, Id, Timeout, Callback) end);
-answer(_Program, _Id, _Timeout, _Callback, {error, Reason}) ->
-    {abandoned, Reason}.
+answer(#program{callback = Callback} = Program, Id, Timeout, Function, Args) ->
+    case Callback(Function, Args) of
+        {ok, Value} ->
+            case send(Program, {callback, Value}) of
+                sent -> await(Program, Id, Timeout);
+                closed -> {ended, await_end(Program, 1000)}
+            end;
+        {error, Reason} ->
+            {abandoned, Reason}
+    end.
 
 ending(Status) when Status > 128 -> {signal, Status - 128};
 ending(Status) -> {exit, Status}.
@@ -160,11 +172,10 @@ kill(#program{os_pid = OsPid}) -> signal(OsPid, kill).
 
 %% @doc Asks the program to end, insists after Patience milliseconds, and forgets its messages.
 -spec stop(program(), timeout()) -> ok.
-stop(#program{port = Port} = Program, Patience) ->
-    try port_command(Port, term_to_binary({Program#program.next, stop})) of
-        true -> await_or_kill(Program, Patience)
-    catch
-        error:badarg -> ok
+stop(#program{number = Number} = Program, Patience) ->
+    case send(Program, {atomics:add_get(Number, 1, 1), stop}) of
+        sent -> await_or_kill(Program, Patience);
+        closed -> ok
     end,
     forget(Program).
 

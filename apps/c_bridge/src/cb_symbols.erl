@@ -12,31 +12,31 @@
 %% @doc Asks Program, or a fresh one if there is none. A place that cannot be named is given as
 %% module and offset.
 -spec frames([cb_crash:address()], known(), none | cb_program:program()) ->
-    {[cb_crash:frame()], known(), none | cb_program:program()}.
-frames([], Known, Program) ->
-    {[], Known, Program};
+    {[cb_crash:frame()], known()}.
+frames([], Known, _Program) ->
+    {[], Known};
 frames(Addresses, Known, Program) ->
     case Known of
         #{Addresses := Frames} ->
-            {Frames, Known, Program};
+            {Frames, Known};
         #{} ->
-            {Frames, Next} = ask(Addresses, Program),
-            {Frames, Known#{Addresses => Frames}, Next}
+            Frames = ask(Addresses, Program),
+            {Frames, Known#{Addresses => Frames}}
     end.
 
 ask(Addresses, none) ->
-    case cb_program:start("/dev/null", []) of
+    case cb_program:start("/dev/null", [], fun refuse/2) of
         {ok, Fresh} ->
-            {Frames, Used} = ask(Addresses, Fresh),
-            ok = cb_program:stop(Used, ?STOP_MS),
-            {Frames, none};
+            Frames = ask(Addresses, Fresh),
+            ok = cb_program:stop(Fresh, ?STOP_MS),
+            Frames;
         {error, _} ->
-            {unnamed(Addresses), none}
+            unnamed(Addresses)
     end;
 ask(Addresses, Program) ->
-    case cb_program:request(Program, {symbolise, Addresses}, ?TIMEOUT_MS, fun refuse/2) of
-        {{ok, Frames}, Next} -> {Frames, Next};
-        {_, Next} -> {unnamed(Addresses), Next}
+    case cb_program:request(Program, {symbolise, Addresses}, ?TIMEOUT_MS) of
+        {ok, Frames} -> Frames;
+        _ -> unnamed(Addresses)
     end.
 
 refuse(Function, _Args) -> {error, {Function, unexpected}}.
