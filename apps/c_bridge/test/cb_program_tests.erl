@@ -46,4 +46,5 @@ the_end_between_two_requests_is_seen_by_the_next_test() ->
     end).
 
 a_log_that_cannot_be_written_is_an_error_of_start_test() ->
-    ?assertMatch({error, {load, _, {protocol, _}}}, cb_program:start("/no/such/dir/log", [], fun refuse/2)).
+    Started = cb_program:start("/no/such/dir/log", [], fun refuse/2),
+    ?assertMatch({error, {load, _, {protocol, _}}}, Started).
