@@ -5,7 +5,9 @@
 
 #include <dwarf.h>
 
+#include <algorithm>
 #include <cstring>
+#include <functional>
 
 namespace cb {
 
@@ -91,19 +93,18 @@ void DebugInfo::index() {
             index_unit(unit_die);
         }
     }
-    qualified_.clear();
     imported_.clear();
 }
 
 void DebugInfo::index_unit(Dwarf_Die &unit) {
-    index_scope(unit, "", in_cxx_unit(unit));
-    all_declared_ = true;
-    for (Dwarf_Die &die : waiting_) {
-        const bool function = dwarf_tag(&die) == DW_TAG_subprogram;
-        index_named(die, function ? functions_ : variables_, "", true);
+    if (!in_cxx_unit(unit)) {
+        return index_c(unit);
     }
-    all_declared_ = false;
-    waiting_.clear();
+    index_cxx(unit, "");
+    if (!waiting_.empty()) {
+        name_waiting(unit, "");
+    }
+    index_nameless();
 }
 
 // A unit in the file that dwz -m made of what several files share, if it has not been met yet.
@@ -115,74 +116,126 @@ std::optional<Dwarf_Die> DebugInfo::foreign_unit(Dwarf_Die &import) {
     return is_new ? unit : std::nullopt;
 }
 
-void DebugInfo::index_scope(Dwarf_Die &scope, const std::string &prefix, bool cxx) {
+void DebugInfo::add(const Dwarf_Die &die, std::string_view name) {
+    Dwarf_Die copy = die;
+    (dwarf_tag(&copy) == DW_TAG_subprogram ? functions_ : variables_).add(name, die);
+}
+
+void DebugInfo::index_c(Dwarf_Die &scope) {
     each_child(scope, [&](Dwarf_Die &die) {
-        switch (dwarf_tag(&die)) {
-        case DW_TAG_subprogram:
-            index_named(die, functions_, prefix, cxx);
-            break;
-        case DW_TAG_variable:
-        case DW_TAG_member: // static members of classes
-            index_named(die, variables_, prefix, cxx);
-            break;
-        case DW_TAG_imported_unit:
+        const int tag = dwarf_tag(&die);
+        if (tag == DW_TAG_subprogram || tag == DW_TAG_variable) {
+            const char *name = text_attribute(die, DW_AT_name);
+            if (name != nullptr && !is_declaration(die)) {
+                add(die, name);
+            }
+        } else if (tag == DW_TAG_imported_unit) {
             if (auto unit = foreign_unit(die)) {
-                index_scope(*unit, prefix, cxx);
+                index_c(*unit);
             }
-            break;
-        case DW_TAG_namespace: {
-            const char *name = dwarf_diename(&die);
-            index_scope(die, name != nullptr ? prefix + name + "::" : prefix, cxx);
-            break;
-        }
-        case DW_TAG_class_type:
-        case DW_TAG_structure_type: {
-            const char *name = cxx ? dwarf_diename(&die) : nullptr;
-            if (name != nullptr) {
-                index_scope(die, prefix + name + "::", cxx);
-            }
-            break;
-        }
-        default:
-            break;
         }
     });
 }
 
-void DebugInfo::index_named(Dwarf_Die &die, Table &table, const std::string &prefix, bool cxx) {
-    if (!cxx) {
-        const char *name = text_attribute(die, DW_AT_name);
-        if (name != nullptr && !is_declaration(die)) {
-            table.add(name, die);
+namespace {
+
+// Nobody's code under test, and large.
+bool is_runtime_namespace(const char *name) {
+    return std::strcmp(name, "std") == 0 || std::strncmp(name, "__", 2) == 0;
+}
+
+std::string inside(const std::string &prefix, Dwarf_Die &die) {
+    const char *name = dwarf_diename(&die);
+    return name != nullptr ? prefix + name + "::" : prefix;
+}
+
+bool may_have_definitions(Dwarf_Die &die) {
+    const char *name = dwarf_diename(&die);
+    return dwarf_tag(&die) == DW_TAG_namespace && (name == nullptr || !is_runtime_namespace(name));
+}
+
+bool is_class(Dwarf_Die &die) {
+    const int tag = dwarf_tag(&die);
+    return tag == DW_TAG_class_type || tag == DW_TAG_structure_type;
+}
+
+} // namespace
+
+void DebugInfo::index_cxx(Dwarf_Die &scope, const std::string &prefix) {
+    each_child(scope, [&](Dwarf_Die &die) {
+        const int tag = dwarf_tag(&die);
+        if (tag == DW_TAG_subprogram || tag == DW_TAG_variable) {
+            if (!is_declaration(die)) {
+                index_cxx_definition(die, prefix);
+            }
+        } else if (may_have_definitions(die)) {
+            index_cxx(die, inside(prefix, die));
+        } else if (tag == DW_TAG_imported_unit) {
+            if (auto unit = foreign_unit(die)) {
+                index_cxx(*unit, prefix);
+            }
         }
-        return;
+    });
+}
+
+void DebugInfo::index_cxx_definition(Dwarf_Die &die, const std::string &prefix) {
+    // From a copy to the abstract function, from that to its declaration.
+    std::optional<Dwarf_Die> declaration;
+    Dwarf_Die at = die;
+    for (unsigned attribute : {DW_AT_abstract_origin, DW_AT_specification}) {
+        Dwarf_Attribute own;
+        Dwarf_Die origin;
+        if (dwarf_attr(&at, attribute, &own) != nullptr &&
+            dwarf_formref_die(&own, &origin) != nullptr) {
+            declaration = at = origin;
+        }
     }
-    auto origin = referenced_die(die, DW_AT_specification);
-    if (!origin) {
-        origin = referenced_die(die, DW_AT_abstract_origin);
+    const char *name = text_attribute(die, DW_AT_name);
+    if (declaration) {
+        waiting_[declaration->addr].push_back(die);
+    } else if (name != nullptr) {
+        add(die, prefix.empty() ? std::string_view(name) : keep(prefix + name));
     }
-    const char *plain = text_attribute(die, DW_AT_name);
-    std::string_view name = plain != nullptr ? plain : "";
-    const auto known = origin ? qualified_.find(origin->addr) : qualified_.end();
-    if (origin && known == qualified_.end() && !all_declared_) {
-        waiting_.push_back(die);
-        return;
-    }
-    if (known != qualified_.end()) {
-        name = known->second;
-    } else if (plain != nullptr && !prefix.empty()) {
-        name = keep(prefix + plain);
-    }
-    if (!name.empty()) {
-        qualified_[die.addr] = name;
-    }
-    if (name.empty() || is_declaration(die) || dwarf_tag(&die) == DW_TAG_member) {
-        return;
-    }
-    table.add(name, die);
     const char *linkage = text_attribute(die, DW_AT_linkage_name);
-    if (linkage != nullptr && name != linkage) {
-        table.add(linkage, die);
+    if (linkage != nullptr && (name == nullptr || std::strcmp(name, linkage) != 0)) {
+        add(die, linkage);
+    }
+}
+
+// Gives waiting definitions the qualified names of their declarations in namespaces and classes.
+void DebugInfo::name_waiting(Dwarf_Die &scope, const std::string &prefix) {
+    each_child(scope, [&](Dwarf_Die &die) {
+        if (may_have_definitions(die) || (is_class(die) && dwarf_haschildren(&die) != 0)) {
+            return name_waiting(die, inside(prefix, die));
+        }
+        const auto found = waiting_.find(die.addr);
+        const char *name = found != waiting_.end() ? text_attribute(die, DW_AT_name) : nullptr;
+        if (name == nullptr) {
+            return;
+        }
+        const std::string_view qualified = prefix.empty() ? name : keep(prefix + name);
+        for (const Dwarf_Die &definition : found->second) {
+            add(definition, qualified);
+        }
+        waiting_.erase(found);
+    });
+}
+
+// What is declared elsewhere (the run-time library's templates) has its linkage name. Only C
+// linkage has none.
+void DebugInfo::index_nameless() {
+    std::vector<Dwarf_Die> left;
+    for (const auto &[declaration, definitions] : waiting_) {
+        left.insert(left.end(), definitions.begin(), definitions.end());
+    }
+    waiting_.clear();
+    std::sort(left.begin(), left.end(),
+              [](const Dwarf_Die &a, const Dwarf_Die &b) { return std::less<>()(a.addr, b.addr); });
+    for (Dwarf_Die &die : left) {
+        const char *name = text_attribute(die, DW_AT_name);
+        if (name != nullptr && text_attribute(die, DW_AT_linkage_name) == nullptr) {
+            add(die, name);
+        }
     }
 }
 

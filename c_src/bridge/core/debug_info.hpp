@@ -79,9 +79,13 @@ class DebugInfo {
     DebugInfo() = default;
     void index();
     void index_unit(Dwarf_Die &unit);
+    void index_c(Dwarf_Die &scope);
+    void index_cxx(Dwarf_Die &scope, const std::string &prefix);
+    void index_cxx_definition(Dwarf_Die &die, const std::string &prefix);
+    void name_waiting(Dwarf_Die &scope, const std::string &prefix);
+    void index_nameless();
+    void add(const Dwarf_Die &die, std::string_view name);
     std::optional<Dwarf_Die> foreign_unit(Dwarf_Die &import);
-    void index_scope(Dwarf_Die &scope, const std::string &prefix, bool cxx);
-    void index_named(Dwarf_Die &die, Table &table, const std::string &prefix, bool cxx);
     void index_types();
     void index_types_of(Dwarf_Die &scope, const std::string &prefix);
     std::string_view keep(std::string text);
@@ -95,11 +99,9 @@ class DebugInfo {
     Table types_;
     bool types_indexed_ = false;
     std::deque<std::string> kept_;
-    // Qualified names of C++ declarations, for the definitions that refer to them.
-    std::unordered_map<void *, std::string_view> qualified_;
-    // Definitions whose declaration had not been seen yet.
-    std::vector<Dwarf_Die> waiting_;
-    bool all_declared_ = false; // of the unit that is being indexed
+    // C++ definitions by the declaration they complete, which has their qualified name; of one unit
+    // at a time.
+    std::unordered_map<void *, std::vector<Dwarf_Die>> waiting_;
     // Units of a file that dwz made of what several files share, and that have been indexed.
     std::unordered_set<void *> imported_;
 };

@@ -24,6 +24,9 @@
 
 namespace cb {
 
+// What a header's NAME is called in an object of signatures.
+inline constexpr std::string_view kSignaturePrefix = "cb_sig_";
+
 struct LoadOptions {
     std::string signatures;            // object file made from headers; empty: none
     std::vector<std::string> no_index; // sonames to leave alone

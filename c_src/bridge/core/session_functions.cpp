@@ -223,7 +223,7 @@ std::optional<Dwarf_Die> Session::signature(const std::string &name) const {
     if (signatures_ == nullptr) {
         return std::nullopt;
     }
-    for (Dwarf_Die &variable : signatures_->variables("cb_sig_" + name)) {
+    for (Dwarf_Die &variable : signatures_->variables(std::string(kSignaturePrefix) + name)) {
         auto pointer = referenced_die(variable, DW_AT_type);
         auto target = pointer ? referenced_die(*pointer, DW_AT_type) : std::nullopt;
         if (target && dwarf_tag(&*target) == DW_TAG_subroutine_type) {
@@ -243,45 +243,10 @@ void Session::unknown_function(const std::string &name) const {
     }
     if (signatures_ != nullptr) {
         signatures_->each_variable([&](std::string_view candidate, Dwarf_Die &) {
-            close.offer(candidate.substr(std::min<std::size_t>(candidate.size(), 7)));
+            close.offer(candidate.substr(std::min(candidate.size(), kSignaturePrefix.size())));
         });
     }
     fail("unknown_function", Tree::atom(name), close.tree());
-}
-
-Tree Session::functions() {
-    std::vector<Tree> listed;
-    std::unordered_map<std::string_view, bool> seen;
-    const auto list = [&](std::string_view name) {
-        if (!seen.emplace(name, true).second) {
-            return;
-        }
-        try {
-            const Prototype &prototype = function(std::string(name)).prototype();
-            std::vector<Tree> parameters;
-            for (const Parameter &parameter : prototype.parameters) {
-                parameters.push_back(Tree::tuple({Tree::atom(parameter.name.text()),
-                                                  Tree::atom(parameter.type->spelling.text())}));
-            }
-            listed.push_back(
-                Tree::tuple({Tree::atom(std::string(name)), Tree::list(std::move(parameters)),
-                             Tree::atom(prototype.result->spelling.text())}));
-        } catch (const Error &) { // cannot be called: not in the list
-        }
-    };
-    for (const Part &part : parts_) {
-        if (part.info != nullptr) {
-            part.info->each_function([&](std::string_view name, Dwarf_Die &) { list(name); });
-        }
-    }
-    if (signatures_ != nullptr) {
-        signatures_->each_variable([&](std::string_view name, Dwarf_Die &) {
-            if (name.size() > 7 && name.compare(0, 7, "cb_sig_") == 0) {
-                list(name.substr(7));
-            }
-        });
-    }
-    return Tree::list(std::move(listed));
 }
 
 } // namespace cb

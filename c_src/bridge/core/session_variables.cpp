@@ -40,8 +40,9 @@ std::optional<Session::KnownVariable> Session::find_variable_in_files(const std:
                 location.kind == Location::Kind::ThreadLocal ? "thread_local" : "optimised_out";
         }
     }
-    for (Dwarf_Die &die : signatures_ != nullptr ? signatures_->variables("cb_sig_" + name)
-                                                 : std::vector<Dwarf_Die>{}) {
+    for (Dwarf_Die &die : signatures_ != nullptr
+                              ? signatures_->variables(std::string(kSignaturePrefix) + name)
+                              : std::vector<Dwarf_Die>{}) {
         const Type &pointer = types_.of(referenced_die(die, DW_AT_type));
         if (pointer.kind == Kind::Pointer && pointer.target().kind != Kind::Function &&
             library_->symbol(name.c_str()) != nullptr) {
@@ -218,29 +219,6 @@ void Session::address_of(TermReader &reader, Term path, TermWriter &writer) {
         fail("bad_request", Tree::foreign(reader, path));
     }
     write_pointer(*this, writer, place.address, *place.member.type);
-}
-
-Tree Session::globals() {
-    std::vector<Tree> listed;
-    std::unordered_map<std::string_view, bool> seen;
-    const auto list = [&](std::string_view name) {
-        if (!seen.emplace(name, true).second) {
-            return;
-        }
-        try {
-            if (const KnownVariable *variable = find_variable(std::string(name))) {
-                listed.push_back(Tree::tuple(
-                    {Tree::atom(std::string(name)), Tree::atom(variable->type->spelling.text())}));
-            }
-        } catch (const Error &) { // has no place in memory: not in the list
-        }
-    };
-    for (const Part &part : parts_) {
-        if (part.info != nullptr) {
-            part.info->each_variable([&](std::string_view name, Dwarf_Die &) { list(name); });
-        }
-    }
-    return Tree::list(std::move(listed));
 }
 
 } // namespace cb

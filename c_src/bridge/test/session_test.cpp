@@ -133,6 +133,7 @@ void signatures_from_headers_stand_in_for_debug_information() {
     IS(talk, "{call,increment,[]}", "10");
     CHECK(contains(talk("{call,ad,[1,2]}"), "error: {unknown_function,ad,[add"));
     CHECK(contains(talk("functions"), "{add,[{arg1,int},{arg2,int}],int}"));
+    IS(talk, "globals", "[{plain,int},{corners,'struct point[2]'}]");
 }
 
 void places_in_the_code_have_names() {
