@@ -62,7 +62,7 @@ shrinking(#{shrink := #{tries := Tries, accepted := Accepted} = Shrink}) ->
         end,
     [text("  shrinking: ~b candidates, ~b accepted, ~s", [Tries, Accepted, Minimal])];
 shrinking(#{shrinks := Shrinks}) ->
-    [text("  shrinking: ~b times", [Shrinks])];
+    [text("  shrinking: ~b steps", [Shrinks])];
 shrinking(_) ->
     [].
 

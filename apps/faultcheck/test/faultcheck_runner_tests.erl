@@ -41,6 +41,7 @@ tests() ->
         {"unknown modules and properties are one line", fun unknown/1},
         {"until the time is up", fun time/1},
         {"statistics", fun stats/1},
+        {"targeted properties, where PropEr has them", fun targeted/1},
         {"cover data for rebar3 cover", fun cover/1}
     ].
 
@@ -247,6 +248,17 @@ time(Dir) ->
 stats(Dir) ->
     {0, Text} = run(["-p", "prop_good", "--stats"], Dir),
     contains("step", Text).
+
+targeted(Dir) ->
+    case faultcheck_versions:proper() >= [1, 3] of
+        true ->
+            {1, Text} = run(["-p", "prop_targeted,prop_exists", "--seed", "1"], Dir),
+            contains("found no such value", Text),
+            ?assertMatch(#{status := failed, shrunk := [900]}, the_case(Dir));
+        false ->
+            {2, Text} = run(["-p", "prop_targeted"], Dir),
+            contains("no property prop_targeted", Text)
+    end.
 
 cover(Dir) ->
     File = filename:join([Dir, "covered", "faultcheck_covered.erl"]),

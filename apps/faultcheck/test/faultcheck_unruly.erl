@@ -37,6 +37,13 @@ prop_missing() ->
         ?FORALL(_, integer(), true)
     ).
 
+%% Only newer versions of PropEr search.
+-ifdef(FORALL_TARGETED).
+prop_targeted() ->
+    ?FORALL_TARGETED(X, integer(0, 1000), begin ?MAXIMIZE(X), X < 900 end).
+prop_exists() -> ?EXISTS(X, integer(0, 1000), X > 1000).
+-endif.
+
 %% What was drawn, to a file.
 prop_draw() ->
     File = os:getenv("FAULTCHECK_TEST_DRAW"),
