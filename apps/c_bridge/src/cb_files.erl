@@ -1,7 +1,7 @@
 %% @doc Where the files of this application are, and fresh names for temporary ones.
 -module(cb_files).
 
--export([priv_dir/0, program/1, fresh_name/2, temporary_dir/0, tail/2]).
+-export([priv_dir/0, program/1, fresh_name/2, temporary_dir/0]).
 
 %% @doc The directory of the native programs, wherever the application is installed.
 -spec priv_dir() -> file:filename().
@@ -36,23 +36,4 @@ temporary_dir() ->
     case os:getenv("TMPDIR") of
         Unset when Unset =:= false; Unset =:= "" -> "/tmp";
         Dir -> Dir
-    end.
-
-%% @doc The last Bytes bytes of a file; empty if there is none.
--spec tail(file:filename(), pos_integer()) -> binary().
-tail(File, Bytes) ->
-    case file:open(File, [read, raw, binary]) of
-        {ok, Device} ->
-            Tail = read_tail(Device, Bytes),
-            ok = file:close(Device),
-            Tail;
-        {error, _} ->
-            <<>>
-    end.
-
-read_tail(Device, Bytes) ->
-    {ok, Size} = file:position(Device, eof),
-    case file:pread(Device, max(0, Size - Bytes), Bytes) of
-        {ok, Tail} -> Tail;
-        eof -> <<>>
     end.

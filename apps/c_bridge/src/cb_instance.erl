@@ -28,7 +28,7 @@
 -record(instance, {
     config :: config(),
     callback :: cb_program:callback(),
-    log :: file:filename(),
+    log = none :: none | cb_log:log(),
     janitor :: cb_janitor:janitor(),
     restarts = 0 :: non_neg_integer(),
     program = none :: none | cb_program:program(),
@@ -59,13 +59,10 @@
 %% Ask runs a stub.
 -spec start(config(), ask_stub()) -> {ok, map(), instance()} | {error, term()}.
 start(Config, Ask) ->
-    Log = log_file(Config),
     State = #instance{
         config = Config,
         callback = stub_callback(Config, Ask),
-        log = Log,
-        log_from = cb_log:length(Log),
-        janitor = cb_janitor:start([Log || maps:get(log, Config) =:= temporary])
+        janitor = cb_janitor:start()
     },
     case boot(State) of
         {ok, Info, Ready} ->
@@ -74,9 +71,6 @@ start(Config, Ask) ->
             ok = stop(Failed),
             {error, Reason}
     end.
-
-log_file(#{log := temporary}) -> cb_files:fresh_name("c_bridge", ".log");
-log_file(#{log := File}) -> File.
 
 %% @doc Any request of the table in docs/architecture.md. In is what a crash is reported in.
 -spec request(instance(), term(), cb_crash:sut()) ->
@@ -91,31 +85,22 @@ request(#instance{down = Why} = State, _Request, _In) ->
 restart(#instance{restarts = Restarts} = State) ->
     reset(check_log(State#instance{restarts = Restarts + 1})).
 
-%% @doc Ends the program and what it has forked, and removes a temporary log.
+%% @doc Ends the program and what it has forked.
 -spec stop(instance()) -> ok.
-stop(#instance{janitor = Janitor} = State) ->
+stop(#instance{janitor = Janitor, log = Log} = State) ->
     ok = shut_down(State),
-    ok = delete_log(State),
+    ok = cb_log:close(Log),
     cb_janitor:finished(Janitor).
-
-delete_log(#instance{config = #{log := temporary}, log = Log}) ->
-    _ = file:delete(Log),
-    ok;
-delete_log(_) ->
-    ok.
 
 -spec last_crash(instance()) -> none | cb_crash:crash().
 last_crash(#instance{last_crash = Crash}) -> Crash.
 
-check_log(#instance{config = #{log := temporary}, log = Log, restarts = Restarts} = State) when
+check_log(#instance{log = Log, restarts = Restarts} = State) when
     Restarts rem ?LOG_CHECK_EVERY =:= 0
 ->
-    case cb_log:length(Log) > ?LOG_BYTES of
-        true ->
-            ok = cb_log:cut(Log),
-            State#instance{log_from = 0};
-        false ->
-            State
+    case cb_log:cut(Log, ?LOG_BYTES) of
+        cut -> State#instance{log_from = 0};
+        left_alone -> State
     end;
 check_log(State) ->
     State.
@@ -205,11 +190,20 @@ buried(#instance{program = Program} = State) ->
 
 %% ---- start, reset, stop ----------------------------------------------------------------------
 
-boot(#instance{config = #{env := Env}, log = Log, janitor = Janitor} = State) ->
-    case cb_program:start(Log, Env, State#instance.callback) of
+boot(#instance{config = #{env := Env, log := Where}, janitor = Janitor} = State) ->
+    Path = cb_log:path(Where),
+    case cb_program:start(Path, Env, State#instance.callback) of
         {ok, Program} ->
             ok = cb_janitor:program(Janitor, cb_program:os_pid(Program)),
-            load(State#instance{program = Program, child = none, down = none});
+            ok = cb_log:close(State#instance.log),
+            Log = cb_log:open(Where, Path),
+            load(State#instance{
+                program = Program,
+                child = none,
+                down = none,
+                log = Log,
+                log_from = cb_log:length(Log)
+            });
         {error, Reason} ->
             {error, Reason, State}
     end.

@@ -3,16 +3,16 @@
 %% A port program that hangs in C code does not notice that nobody listens any more.
 -module(cb_janitor).
 
--export([start/1, program/2, finished/1]).
+-export([start/0, program/2, finished/1]).
 -export_type([janitor/0]).
 
 -type janitor() :: pid().
 
-%% @doc Watches the calling process. Files are removed at its end.
--spec start([file:filename()]) -> janitor().
-start(Files) ->
+%% @doc Watches the calling process.
+-spec start() -> janitor().
+start() ->
     Owner = self(),
-    spawn(fun() -> wait(monitor(process, Owner), none, Files) end).
+    spawn(fun() -> wait(monitor(process, Owner), none) end).
 
 %% @doc The OS process that must not outlive the owner, instead of the one told before.
 -spec program(janitor(), non_neg_integer()) -> ok.
@@ -26,15 +26,11 @@ finished(Janitor) ->
     Janitor ! finished,
     ok.
 
-wait(Owner, OsPid, Files) ->
+wait(Owner, OsPid) ->
     receive
-        {program, Next} ->
-            wait(Owner, Next, Files);
-        finished ->
-            ok;
-        {'DOWN', Owner, process, _, _} ->
-            ok = kill(OsPid),
-            lists:foreach(fun file:delete/1, Files)
+        {program, Next} -> wait(Owner, Next);
+        finished -> ok;
+        {'DOWN', Owner, process, _, _} -> kill(OsPid)
     end.
 
 kill(none) -> ok;
