@@ -11,7 +11,7 @@ ifneq ($(shell uname -s)-$(shell uname -m),Linux-x86_64)
 $(error FaultCheck needs Linux on x86-64 (ELF, DWARF and libffi of that machine); this is $(shell uname -s) on $(shell uname -m))
 endif
 
-.PHONY: help setup native compile test demo bench coverage airbag-report fuzz replay install format \
+.PHONY: help setup native compile test demo bench coverage airbag-report e2e-report mutants fuzz replay install format \
         lint clean chroot-check
 
 help:  ## this list
@@ -51,6 +51,15 @@ coverage:  ## C line coverage of the airbag under three fault classes (lcov HTML
 airbag-report:  ## repeat the experiments of the paper: _build/reports/airbag.md
 	@scripts/setup.sh --quiet demo
 	@scripts/airbag_report.sh
+
+e2e-report:  ## Hamming distances; which E2E profile detects which fault, how often: _build/reports/e2e.md
+	@scripts/setup.sh --quiet demo
+	@scripts/e2e_report.sh
+
+mutants:  ## how many seeded defects of the C libraries the models and the C tests find: _build/reports/mutants.md
+	@scripts/setup.sh --quiet demo
+	@scripts/mutants.sh
+	@scripts/mutants.sh c-tests
 
 fuzz:  ## run each fuzz target for FUZZ_SECONDS=60 seconds
 	@scripts/setup.sh --quiet test

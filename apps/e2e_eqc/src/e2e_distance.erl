@@ -174,17 +174,19 @@ sums(N, Sum, From, Tuple, Places) ->
 %% asked when no fewer add up to 0, so two that are equal have no syndrome in common; each set is
 %% found once for each way to divide it.
 meet(5, Tuple) ->
-    Pairs = tally(pairs(Tuple), #{}),
-    found(triples(Tuple), Pairs) div 10;
+    Pairs = lists:foldl(
+        fun(S, M) -> maps:update_with(S, fun(N) -> N + 1 end, 1, M) end, #{}, pairs(Tuple)
+    ),
+    over_triples(fun(S, Sum) -> Sum + maps:get(S, Pairs, 0) end, 0, Tuple) div 10;
 meet(6, Tuple) ->
-    Tally = tally(triples(Tuple), #{}),
-    Same = maps:fold(fun(_, N, Sum) -> Sum + N * (N - 1) div 2 end, 0, Tally),
-    Same div 10.
+    equal(lists:sort(over_triples(fun(S, All) -> [S | All] end, [], Tuple)), 0) div 10.
 
-tally(Sums, Map) ->
-    lists:foldl(fun(S, M) -> maps:update_with(S, fun(N) -> N + 1 end, 1, M) end, Map, Sums).
-
-found(Sums, Tally) -> lists:sum([maps:get(S, Tally, 0) || S <- Sums]).
+%% How many pairs of equal members a sorted list has.
+equal([], Sum) -> Sum;
+equal([S | Rest], Sum) ->
+    {Same, Others} = lists:splitwith(fun(R) -> R =:= S end, Rest),
+    N = 1 + length(Same),
+    equal(Others, Sum + N * (N - 1) div 2).
 
 pairs(Tuple) ->
     Size = tuple_size(Tuple),
@@ -193,9 +195,25 @@ pairs(Tuple) ->
      || I <- lists:seq(1, Size), J <- lists:seq(I + 1, Size)
     ].
 
-triples(Tuple) ->
+%% Folds over the sums of three, which are too many for a list when the packet is long.
+over_triples(Fun, Acc, Tuple) ->
     Size = tuple_size(Tuple),
-    [
-        element(I, Tuple) bxor element(J, Tuple) bxor element(K, Tuple)
-     || I <- lists:seq(1, Size), J <- lists:seq(I + 1, Size), K <- lists:seq(J + 1, Size)
-    ].
+    lists:foldl(
+        fun(I, Acc1) ->
+            Rest = lists:seq(I + 1, Size),
+            lists:foldl(
+                fun(J, Acc2) ->
+                    Two = element(I, Tuple) bxor element(J, Tuple),
+                    third(Fun, Acc2, Two, J + 1, Tuple)
+                end,
+                Acc1,
+                Rest
+            )
+        end,
+        Acc,
+        lists:seq(1, Size)
+    ).
+
+third(_, Acc, _, K, Tuple) when K > tuple_size(Tuple) -> Acc;
+third(Fun, Acc, Two, K, Tuple) ->
+    third(Fun, Fun(Two bxor element(K, Tuple), Acc), Two, K + 1, Tuple).

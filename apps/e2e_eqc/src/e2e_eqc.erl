@@ -327,9 +327,15 @@ change(#state{profile = P, config = Config, counter = Counter}) ->
     Room = if N =:= 15 -> 15; true -> N - 1 end,
     oneof([
         {counter, oneof([Near, uniform(0, Room), Room])},
-        {id, uniform(0, 16#FFF)},
+        {id, other_id(Config)},
         {length, length_field(P, Config)}
     ]).
+
+%% Also one with the same low byte, which is all that some modes put into the checksum.
+other_id(#{'DataID' := Id}) ->
+    oneof([uniform(0, 16#FFF), ?LET(High, integer(1, 15), Id bxor (High bsl 8))]);
+other_id(_) ->
+    uniform(0, 16#FFF).
 
 length_field(P, Config) ->
     {Min, Max} = e2e_packet:lengths(P, Config),
