@@ -23,6 +23,7 @@
 #include "fc_channel.h"
 #include "fc_context.h"
 #include "fc_fault.h"
+#include "fc_list.h"
 #include "fc_probe.h"
 #include "fc_record.h"
 #include "fc_trigger.h"

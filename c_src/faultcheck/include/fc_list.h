@@ -1,0 +1,63 @@
+/* fc_list.h: what a context has seen and what is armed in it. Part of fc.h. */
+#ifndef FC_LIST_H
+#define FC_LIST_H
+
+#include "fc_context.h"
+#include "fc_record.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum {
+    FC_WAITING,   /* calls are left before the first affected one */
+    FC_ACTIVE,    /* the iteration window is open; other triggers may still hold it back */
+    FC_EXHAUSTED, /* the duration is used up */
+    FC_DISABLED
+} fc_trigger_state;
+
+/* A fault; one on a channel that is met at gets is listed once for each receiver. */
+typedef struct {
+    fc_fault_id id;
+    const char *model; /* "offset", "drop", ... */
+    double a;          /* parameters as in fc_model */
+    double b;
+    int64_t n; /* byte, count or position of a fault on a channel */
+    const char *receiver;
+    fc_trigger_state state;
+    uint64_t calls_left; /* FC_WAITING */
+    uint64_t triggered;
+    uint64_t applied; /* of those, value changed or not */
+    uint64_t skipped; /* of those */
+    int last_error;   /* of the skipped ones, or FC_OK */
+} fc_listed_fault;
+
+/* An identifier or a channel. */
+typedef struct {
+    const char *id;
+    bool is_channel;
+    uint32_t types; /* bit T: probed or monitored as the fc_type T */
+    uint64_t calls; /* probe and monitor calls, while counted; gets */
+    uint64_t puts;
+    const fc_listed_fault *faults;
+    size_t fault_count;
+} fc_listed;
+
+typedef void (*fc_list_fn)(void *user, const fc_listed *listed);
+
+/* Every identifier and channel seen or armed since fc_new or fc_reset, sorted by name, probes
+ * before channels of the same name. FC_OK, FC_E_NOMEM. */
+FC_API int fc_list(fc_context *ctx, fc_list_fn visit, void *user);
+
+/* The same as one JSON object a line. */
+FC_API int fc_dump_json(fc_context *ctx, fc_line_fn line, void *user);
+
+/* Calls of idle identifiers are counted only while this is on: otherwise an idle probe is one load.
+ * Armed, monitored and recorded identifiers are always counted. */
+FC_API void fc_count_calls(fc_context *ctx, bool on);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
