@@ -143,11 +143,11 @@ find(Name) -> maps:find(Name, attached()).
 %% @doc Ends the system under test. What it allocated and all pointers to it are gone.
 -spec stop(library()) -> ok.
 stop(#lib{name = Name, transport = Transport, at = At} = Lib) ->
-    case find(Name) of
-        {ok, Lib} -> put(?LIBRARIES, maps:remove(Name, attached()));
-        _ -> ok
+    case stop(Transport, At) of
+        ok -> ok;
+        {error, Reason} -> fail(Reason)
     end,
-    ok = stop(Transport, At),
+    _ = [put(?LIBRARIES, maps:remove(Name, attached())) || find(Name) =:= {ok, Lib}],
     collect_coverage(Lib);
 stop(Name) ->
     stop(library(Name)).

@@ -24,7 +24,7 @@ crashes_test_() -> in_each_reset(fun crashes/1).
 crashes(L) ->
     {crash, Null} = cb_sut:reason(fun() -> cb:call(L, follow, [null]) end),
     ?assertMatch(#{signal := sigsegv, addr := 0, in := {follow, [null]}, coredump := none}, Null),
-    ?assertMatch([{<<"follow">>, _, 13} | _], maps:get(frames, Null)),
+    ?assertMatch([{<<"follow">>, _, 14} | _], maps:get(frames, Null)),
     [{_, File, _} | _] = maps:get(frames, Null),
     ?assertEqual(<<"faulty.c">>, filename:basename(File)),
     ?assertEqual({crash, Null}, cb:last_crash(L)),

@@ -120,6 +120,20 @@ the_same_file_twice_has_two_states_test_() ->
         end)
     end).
 
+%% Threads of the VM have names: 1_dirty_cpu_... up to OTP 25, erts_dcpus_1 after that.
+slow_functions_run_on_dirty_schedulers_test_() ->
+    [
+        {lists:flatten(io_lib:format("~p", [Dirty])), fun() ->
+            Lib = cb_sut:start("faulty.c", [{transport, nif}, {reset, none}, {dirty, Dirty}]),
+            ?assertEqual(1, cb:call(Lib, step, [])),
+            Thread = cb:cstring(Lib, cb:call(Lib, thread_name, [])),
+            IsDirty = binary:match(Thread, [<<"dirty_cpu">>, <<"dcpu">>]) =/= nomatch,
+            ?assertEqual({Expected, Thread}, {IsDirty, Thread}),
+            ok = cb:stop(Lib)
+        end}
+     || {Dirty, Expected} <- [{false, false}, {[step], false}, {true, true}, {[thread_name], true}]
+    ].
+
 starting_again_stops_the_earlier_one_test() ->
     One = cb_sut:start("plain_state.c", []),
     ok = cb:set(One, value, 11),

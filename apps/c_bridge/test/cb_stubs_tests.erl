@@ -97,6 +97,15 @@ a_fun_cannot_use_the_library_that_waits_for_it_test() ->
         )
     end).
 
+a_fun_cannot_stop_the_library_that_waits_for_it_test() ->
+    Stub = fun(_) -> cb:stop(sut_device) end,
+    with_funs([{read_raw, Stub}], fun(Lib) ->
+        ?assertMatch(
+            {callback, {read_raw, {error, {cb, {in_call, read_raw}}, _}}},
+            cb_sut:reason(fun() -> cb:call(Lib, scaled, [3]) end)
+        )
+    end).
+
 a_wrong_value_of_a_fun_fails_the_call_test() ->
     with_funs([{read_raw, fun(_) -> not_a_number end}], fun(Lib) ->
         ?assertMatch(

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 int steps;
@@ -48,6 +49,11 @@ void die_by(int signal_number) {
 int wait_ms(int ms) {
     usleep((useconds_t)ms * 1000);
     return ms;
+}
+const char *thread_name(void) {
+    static char name[16];
+    prctl(PR_GET_NAME, name);
+    return name;
 }
 int process(void) {
     return getpid();
