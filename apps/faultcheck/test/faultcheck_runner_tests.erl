@@ -20,6 +20,7 @@ tests() ->
         {"a wrong result is shrunk and stored", fun wrong/1},
         {"a crash in the VM is confirmed and shrunk in a process of its own", fun crash/1},
         {"a hang is a failure that was confirmed with ten times the limit", fun hang/1},
+        {"a timeout counts only with ten times the limit", fun slow/1},
         {"an exit of C code is a failure", fun leave/1},
         {"C code that prints disturbs nothing, in both transports", fun print/1},
         {"a failure that does not repeat is flaky", fun flaky/1},
@@ -82,6 +83,14 @@ hang(Dir) ->
     contains("150 ms", Text),
     #{shrunk := [Commands]} = the_case(Dir),
     ?assertEqual(10, sum(Commands)).
+
+%% The limit of a call is 150 ms; slow takes 300.
+slow(Dir) ->
+    {4, Text} = run(["-p", "prop_slow", "--transport", "port"], Dir),
+    contains("it passes with ten times the time limit", Text),
+    contains("flaky", Text),
+    {1, Hang} = run(["-p", "prop_hang", "--transport", "port", "--max_size", "8"], Dir),
+    contains("150 ms", Hang).
 
 leave(Dir) ->
     {Status, Text} = run(["-p", "prop_leave"], Dir),
