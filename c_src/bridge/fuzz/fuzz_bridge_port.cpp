@@ -13,12 +13,12 @@ std::unique_ptr<cb::Session> &session() {
     return loaded;
 }
 
-// As the server does it, without the pipe.
-void serve(cb::EiReader &reader, cb::EiWriter &writer) {
+// As the server does it, without the pipe. False if there is nothing to answer.
+bool serve(cb::EiReader &reader, cb::EiWriter &writer) {
     cb::Term parts[2];
     unsigned count = 0;
     if (!reader.read_tuple(reader.root(), parts, 2, count) || count != 2) {
-        return;
+        return false;
     }
     try {
         writer.begin();
@@ -31,9 +31,10 @@ void serve(cb::EiReader &reader, cb::EiWriter &writer) {
         writer.write_term(reader, parts[0]);
         error.reason().write(writer);
     } catch (const std::bad_alloc &) {
-        return;
+        return false;
     }
     writer.end();
+    return true;
 }
 
 } // namespace
@@ -47,7 +48,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     } catch (const cb::MalformedTerm &) {
         return 0;
     }
-    serve(reader, writer);
+    if (!serve(reader, writer)) {
+        return 0;
+    }
     // What is answered must be well formed itself.
     const std::string_view packet = writer.packet();
     cb::EiReader answer;
