@@ -56,7 +56,7 @@ start_next(#state{profile = P} = S, _Result, [Config, Machine, Behaviour]) ->
     }.
 start_post(#state{profile = P}, [_, Machine, _], Result) ->
     Expected = {[ok, ok, ok], 0, e2e_receiver:initial(P), e2e_machine:initial(Machine)},
-    same(Expected, Result).
+    e2e_difference:same(Expected, Result).
 
 %% ---- send: data is protected and goes into the channel ----------------------------------------
 send_pre(S) -> running(S).
@@ -69,7 +69,7 @@ send_next(#state{profile = P, counter = Counter, channel = Channel} = S, _Result
         channel = e2e_channel:put(packet(S, Data), Channel)
     }.
 send_post(#state{profile = P, counter = Counter} = S, [Data], Result) ->
-    same({ok, packet(S, Data), next_counter(P, Counter)}, Result).
+    e2e_difference:same({ok, packet(S, Data), next_counter(P, Counter)}, Result).
 
 %% ---- fault: something happens in the channel --------------------------------------------------
 fault_pre(S) -> running(S) andalso e2e_channel:sent(S#state.channel) > 0.
@@ -87,7 +87,7 @@ deliver() -> e2e_link:deliver().
 deliver_next(S, _Result, []) -> element(2, delivered(S)).
 deliver_post(#state{profile = P, config = Config, channel = Channel} = S, [], Result) ->
     {Expected, _} = delivered(S),
-    case {same(Expected, Result), e2e_channel:take(Channel)} of
+    case {e2e_difference:same(Expected, Result), e2e_channel:take(Channel)} of
         {true, {{Bytes, Flipped}, _}} when is_list(Flipped), Flipped =/= [] ->
             seen(P, Config, byte_size(Bytes), length(Flipped), Result);
         {Same, _} ->
@@ -113,7 +113,7 @@ silence_args(_S) -> [integer(1, 20)].
 silence_pre(S, [_N]) -> running(S).
 silence(N) -> [e2e_link:silence() || _ <- lists:seq(1, N)].
 silence_next(S, _Result, [N]) -> element(2, silent(N, S)).
-silence_post(S, [N], Result) -> same(element(1, silent(N, S)), Result).
+silence_post(S, [N], Result) -> e2e_difference:same(element(1, silent(N, S)), Result).
 silence_req(#state{profile = P}, _Args, _Result) -> [{P, status, 'NONEWDATA'}].
 
 silent(N, S) -> repeatedly(N, S, fun(At) -> checked(none, At) end).
@@ -138,7 +138,7 @@ restart_next(#state{profile = P} = S, _Result, [receiver]) ->
     S#state{receiver = e2e_receiver:initial(P)}.
 restart_post(S, [Side], Result) ->
     #state{counter = Counter, receiver = Receiver} = restart_next(S, Result, [Side]),
-    same({ok, Counter, Receiver}, Result).
+    e2e_difference:same({ok, Counter, Receiver}, Result).
 
 %% ---- recover: fault-free packets bring the receiver back --------------------------------------
 recover_pre(S) -> running(S).
@@ -156,7 +156,7 @@ recover_next(S, _Result, [Data]) -> element(2, recovered(S, Data)).
 recover_post(#state{config = Config} = S, [Data], Result) ->
     {Expected, _} = recovered(S, Data),
     #{receiver := #{'Status' := Last}} = lists:last(Result),
-    case same(Expected, Result) of
+    case e2e_difference:same(Expected, Result) of
         true when Last =:= 'OK' -> true;
         %% a receiver that accepts no step at all never says OK
         true -> maps:get('MaxDeltaCounter', Config, 1) =:= 0 orelse {not_recovered, Last};
@@ -182,7 +182,7 @@ misuse_pre(S, [Call]) -> running(S) andalso refusal(Call, S) =/= none.
 misuse(Call) -> {wrong(Call), e2e_sut:sender(), e2e_sut:receiver(), e2e_sut:machine()}.
 misuse_post(S, [Call], Result) ->
     #state{counter = Counter, receiver = Receiver, machine = Machine} = S,
-    same({refusal(Call, S), Counter, Receiver, Machine}, Result).
+    e2e_difference:same({refusal(Call, S), Counter, Receiver, Machine}, Result).
 misuse_req(#state{profile = P} = S, [Call], _Result) -> [{P, refused, refusal(Call, S)}].
 
 wrong_call(#state{profile = P, config = Config}) ->
@@ -281,9 +281,6 @@ in_buffer(_, _, Packet) ->
 
 repeatedly(N, S, Step) ->
     lists:mapfoldl(fun(_, At) -> Step(At) end, S, lists:seq(1, N)).
-
-same(Expected, Expected) -> true;
-same(Expected, Actual) -> {expected, Expected, got, Actual}.
 
 %% ---- generators ---------------------------------------------------------------------------------
 
