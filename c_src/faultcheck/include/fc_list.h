@@ -32,7 +32,7 @@ typedef struct {
     int last_error;   /* of the skipped ones, or FC_OK */
 } fc_listed_fault;
 
-/* An identifier or a channel. */
+/* An identifier or a channel. What it points to is valid during the visit only. */
 typedef struct {
     const char *id;
     bool is_channel;
