@@ -62,7 +62,7 @@ start(Config, Ask) ->
     State = #instance{
         config = Config,
         callback = stub_callback(Config, Ask),
-        janitor = cb_janitor:start()
+        janitor = cb_janitor:start(maps:get(timeout, Config))
     },
     case boot(State) of
         {ok, Info, Ready} ->
@@ -75,8 +75,8 @@ start(Config, Ask) ->
 %% @doc Any request of the table in docs/architecture.md. In is what a crash is reported in.
 -spec request(instance(), term(), cb_crash:sut()) ->
     {{ok, term()} | {error, term()}, instance()}.
-request(#instance{down = none, config = #{timeout := Timeout}} = State, Request, In) ->
-    exchange(State, Request, In, Timeout);
+request(#instance{down = none, program = Program} = State, Request, In) ->
+    outcome(cb_program:call(Program, Request), State, In);
 request(#instance{down = Why} = State, _Request, _In) ->
     {{error, {not_running, Why}}, State}.
 
@@ -108,14 +108,17 @@ check_log(State) ->
 %% ---- one request ---------------------------------------------------------------------------
 
 exchange(#instance{program = Program} = State, Request, In, Timeout) ->
-    outcome(cb_program:request(Program, Request, Timeout), State, In, Timeout).
+    case cb_program:request(Program, Request, Timeout) of
+        timeout -> timed_out(State, In, Timeout);
+        Outcome -> outcome(Outcome, State, In)
+    end.
 
-outcome({ok, _} = Reply, State, In, _) -> check_sanitizer(Reply, State, In);
-outcome({error, _} = Reply, State, In, _) -> check_sanitizer(Reply, State, In);
-outcome({ended, Ending}, State, In, _) -> died(Ending, buried(State), In);
-outcome({child_ended, Ending}, State, In, _) -> died(Ending, State#instance{child = none}, In);
-outcome(timeout, State, In, Ms) -> timed_out(State, In, Ms);
-outcome({abandoned, Why}, State, _In, _) -> gave_up({callback, Why}, ended_by(kill, State)).
+outcome({ok, _} = Reply, State, In) -> check_sanitizer(Reply, State, In);
+outcome({error, _} = Reply, State, In) -> check_sanitizer(Reply, State, In);
+outcome({ended, Ending}, State, In) -> died(Ending, buried(State), In);
+outcome({child_ended, Ending}, State, In) -> died(Ending, State#instance{child = none}, In);
+outcome(timeout, #instance{config = #{timeout := Ms}} = State, In) -> timed_out(State, In, Ms);
+outcome({abandoned, Why}, State, _In) -> gave_up({callback, Why}, ended_by(kill, State)).
 
 stub_callback(#{stubs := Stubs}, Ask) ->
     fun(Function, Args) ->
@@ -194,7 +197,7 @@ boot(#instance{config = #{env := Env, log := Where}, janitor = Janitor} = State)
     Path = cb_log:path(Where),
     case cb_program:start(Path, Env, State#instance.callback) of
         {ok, Program} ->
-            ok = cb_janitor:program(Janitor, cb_program:os_pid(Program)),
+            ok = cb_program:watch(Program, Janitor),
             ok = cb_log:close(State#instance.log),
             Log = cb_log:open(Where, Path),
             load(State#instance{

@@ -6,7 +6,7 @@
 %% up are recognised by their number and dropped.
 -module(cb_program).
 
--export([start/3, request/3, await_end/2, await_child_end/2, signal/2, kill/1, stop/2, forget/1]).
+-export([start/3, call/2, request/3, watch/2, await_end/2, await_child_end/2, signal/2, kill/1, stop/2, forget/1]).
 -export([os_pid/1]).
 -export_type([program/0, outcome/0, ending/0, callback/0, reason/0]).
 
@@ -15,8 +15,9 @@
     monitor :: reference(),
     os_pid :: non_neg_integer(),
     callback :: callback(),
-    %% Of the last request. Outside of the record, so that a request makes no garbage to speak of.
-    number :: atomics:atomics_ref()
+    %% The number of the last request, and that of the last one that the janitor need not watch.
+    %% Outside of the record, so that a request makes no garbage to speak of.
+    counters :: atomics:atomics_ref()
 }).
 
 -opaque program() :: #program{}.
@@ -32,6 +33,9 @@
 -type callback() :: fun((Function :: atom(), [term()]) -> {ok, term()} | {error, term()}).
 -type reason() :: {load, file:filename(), {dlerror, string()} | {protocol, term()}}.
 
+%% Counters.
+-define(LAST, 1).
+-define(UNWATCHED, 2).
 -define(PROTOCOL, 1).
 -define(HELLO_MS, 30000).
 -define(SIGQUIT, 3).
@@ -56,7 +60,7 @@ open(Exe, Log, Env, Callback) ->
         monitor = monitor(port, Port),
         os_pid = os_pid_of(Port),
         callback = Callback,
-        number = atomics:new(1, [])
+        counters = atomics:new(2, [])
     }.
 
 %% 0 if it has ended already.
@@ -80,10 +84,32 @@ hello(Exe, Program) ->
 -spec os_pid(program()) -> non_neg_integer().
 os_pid(#program{os_pid = OsPid}) -> OsPid.
 
-%% @doc Sends a request and waits for its answer, or for the end of who should give it.
+%% @doc The janitor sees to the end of the program, and to the answers to call/2.
+-spec watch(program(), cb_janitor:janitor()) -> ok.
+watch(#program{os_pid = OsPid, counters = Counters, monitor = Monitor}, Janitor) ->
+    cb_janitor:program(Janitor, OsPid, Counters, Monitor).
+
+%% @doc Sends a request and waits for its answer, for the end of who should give it, or for the
+%% janitor to say that the answer is overdue.
+-spec call(program(), term()) -> outcome().
+call(#program{counters = Counters} = Program, Request) ->
+    Id = atomics:add_get(Counters, ?LAST, 1),
+    Outcome = exchange(Program, Id, Request, infinity),
+    ok = atomics:put(Counters, ?UNWATCHED, Id),
+    Outcome.
+
+%% @doc The same with a time of its own.
 -spec request(program(), term(), timeout()) -> outcome().
-request(#program{number = Number} = Program, Request, Timeout) ->
-    Id = atomics:add_get(Number, 1, 1),
+request(#program{counters = Counters} = Program, Request, Timeout) ->
+    exchange(Program, unwatched(Counters), Request, Timeout).
+
+unwatched(Counters) ->
+    Id = atomics:get(Counters, ?LAST) + 1,
+    ok = atomics:put(Counters, ?UNWATCHED, Id),
+    ok = atomics:put(Counters, ?LAST, Id),
+    Id.
+
+exchange(Program, Id, Request, Timeout) ->
     case send(Program, {Id, Request}) of
         sent -> await(Program, Id, Timeout);
         closed -> {ended, await_end(Program, 1000)}
@@ -109,12 +135,20 @@ await(#program{port = Port, monitor = Monitor} = Program, Id, Timeout) ->
         {Port, {exit_status, Status}} ->
             {ended, ending(Status)};
         {'DOWN', Monitor, port, Port, _} ->
-            {ended, unknown}
+            {ended, unknown};
+        {overdue, Monitor, Id} ->
+            timeout;
+        {overdue, Monitor, _AnsweredAtLast} ->
+            await(Program, Id, Timeout)
     after Timeout -> timeout
     end.
 
-answer(#program{callback = Callback} = Program, Id, Timeout, Function, Args) ->
-    case Callback(Function, Args) of
+answer(#program{callback = Callback, counters = Counters} = Program, Id, Timeout, Function, Args) ->
+    %% The time of a stub is not that of the system under test.
+    Unwatched = atomics:exchange(Counters, ?UNWATCHED, Id),
+    Answer = Callback(Function, Args),
+    ok = atomics:put(Counters, ?UNWATCHED, Unwatched),
+    case Answer of
         {ok, Value} ->
             case send(Program, {callback, Value}) of
                 sent -> await(Program, Id, Timeout);
@@ -172,8 +206,8 @@ kill(#program{os_pid = OsPid}) -> signal(OsPid, kill).
 
 %% @doc Asks the program to end, insists after Patience milliseconds, and forgets its messages.
 -spec stop(program(), timeout()) -> ok.
-stop(#program{number = Number} = Program, Patience) ->
-    case send(Program, {atomics:add_get(Number, 1, 1), stop}) of
+stop(#program{counters = Counters} = Program, Patience) ->
+    case send(Program, {unwatched(Counters), stop}) of
         sent -> await_or_kill(Program, Patience);
         closed -> ok
     end,
@@ -198,10 +232,11 @@ forget(#program{port = Port, monitor = Monitor}) ->
     catch
         error:badarg -> ok
     end,
-    flush(Port).
+    flush(Port, Monitor).
 
-flush(Port) ->
+flush(Port, Monitor) ->
     receive
-        {Port, _} -> flush(Port)
+        {Port, _} -> flush(Port, Monitor);
+        {overdue, Monitor, _} -> flush(Port, Monitor)
     after 0 -> ok
     end.

@@ -106,6 +106,17 @@ a_fun_cannot_stop_the_library_that_waits_for_it_test() ->
         )
     end).
 
+the_time_of_a_fun_is_not_that_of_the_call_test() ->
+    Slow = fun(Channel) ->
+        receive
+        after 200 -> Channel
+        end
+    end,
+    Stubs = lists:keystore(read_raw, 1, constants(), {read_raw, Slow}),
+    Lib = cb_sut:start("device.c", [{stubs, Stubs}, {timeout, 40}]),
+    ?assertEqual(1.5, cb:call(Lib, scaled, [3])),
+    ok = cb:stop(Lib).
+
 a_wrong_value_of_a_fun_fails_the_call_test() ->
     with_funs([{read_raw, fun(_) -> not_a_number end}], fun(Lib) ->
         ?assertMatch(
