@@ -6,8 +6,8 @@
 %% up are recognised by their number and dropped.
 -module(cb_program).
 
--export([start/3, call/2, request/3, watch/2, await_end/2, await_child_end/2, signal/2, kill/1, stop/2, forget/1]).
--export([os_pid/1]).
+-export([start/3, watch/2, call/2, request/3, stop/2, forget/1]).
+-export([os_pid/1, signal/2, kill/1, await_end/2, await_child_end/2]).
 -export_type([program/0, outcome/0, ending/0, callback/0, reason/0]).
 
 -record(program, {
