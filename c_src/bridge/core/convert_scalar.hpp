@@ -5,8 +5,6 @@
 #include "term.hpp"
 #include "type.hpp"
 
-#include <cstdint>
-
 namespace cb {
 
 [[noreturn]] void bad_value(const char *what, const Type &type, TermReader &reader, Term term);

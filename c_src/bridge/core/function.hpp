@@ -6,7 +6,6 @@
 #include "ffi_types.hpp"
 #include "type.hpp"
 
-#include <cstdint>
 #include <ffi.h>
 
 #include <optional>

@@ -16,7 +16,6 @@
 #include "type_table.hpp"
 
 #include <array>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>

@@ -4,7 +4,6 @@
 
 #include "term.hpp"
 
-#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>

@@ -3,7 +3,6 @@
 
 #include "type.hpp"
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>

@@ -3,7 +3,6 @@
 
 #include "../core/term.hpp"
 
-#include <cstdint>
 #include <deque>
 #include <string>
 #include <vector>

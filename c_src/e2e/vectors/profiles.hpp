@@ -14,7 +14,6 @@
 #include "E2E_P44.h"
 #include "request.hpp"
 #include <algorithm>
-#include <cstdint>
 
 namespace e2e_vectors {
 

@@ -44,7 +44,8 @@ int with_inputs(fc_context &context, const Channel &channel, const Work &work) {
     for (;;) {
         {
             const Hold hold(context.traffic);
-            if (channel.delays_by_time || context.recording.load(std::memory_order_relaxed))
+            if (channel.delays_by_time || channel.masquerades ||
+                context.recording.load(std::memory_order_relaxed))
                 gatherer.want_time();
             for (const ChannelFault &fault : channel.faults)
                 gatherer.want(fault.fresh.trigger, fault.model.model);

@@ -7,7 +7,6 @@
 #include "sensor_model.h"
 #include "trigger.h"
 
-#include <cstdint>
 #include <cstring>
 
 namespace fc {

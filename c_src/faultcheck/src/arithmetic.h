@@ -7,8 +7,6 @@
 #include "model.h"
 #include "value.h"
 
-#include <cstdint>
-
 namespace fc {
 
 inline double compute(const Model &model, double x) {
@@ -22,14 +20,15 @@ inline double compute(const Model &model, double x) {
     }
 }
 
-// |whole| below 2^63, so sums and products with a 64-bit value fit 128 bits.
-inline bool is_exact_operand(double value) {
-    return value > -0x1p63 && value < 0x1p63 &&
-           value == static_cast<double>(static_cast<std::int64_t>(value));
+// A whole number that leaves sums and products with a 64-bit value within 128 bits. A factor from
+// 2^63 up gives the same through double: its product with any number but 0 and 1 is saturated.
+inline bool is_exact_operand(const Model &model) {
+    const double most = model.kind == FC_AMPLIFICATION ? 0x1p63 : 0x1p64;
+    return model.a > -most && model.a < most && model.a == std::trunc(model.a);
 }
 
 inline Int128 compute_exact(const Model &model, Int128 x) {
-    const Int128 operand = static_cast<std::int64_t>(model.a);
+    const auto operand = static_cast<Int128>(model.a);
     switch (model.kind) {
     case FC_OFFSET:
         return x + operand;
@@ -43,7 +42,7 @@ inline Int128 compute_exact(const Model &model, Int128 x) {
 // FC_OK, or FC_E_VALUE with the value left as it was.
 template <class T> int apply_arithmetic(const Model &model, T *value) {
     if constexpr (std::is_integral_v<T> && sizeof(T) == 8) {
-        if (is_exact_operand(model.a)) {
+        if (is_exact_operand(model)) {
             *value = saturate<T>(compute_exact(model, static_cast<Int128>(*value)));
             return FC_OK;
         }

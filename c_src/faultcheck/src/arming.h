@@ -3,8 +3,6 @@
 
 #include "context.h"
 
-#include <cstdint>
-
 namespace fc {
 
 // A fault id, or refusal with the text why; refusal FC_OK adds.

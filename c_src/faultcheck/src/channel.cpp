@@ -54,8 +54,8 @@ void Channel::subscribe(const char *receiver) {
 }
 
 int Channel::put(const PutCall &call) {
-    const int result =
-        has_put_faults ? put_through_faults(*this, call) : put_directly(*this, call, Hiding());
+    const int result = has_put_faults ? put_through_faults(*this, call)
+                                      : put_directly(*this, call, 0, Hiding().until_ns);
     exists = true;
     ++puts;
     return result;
@@ -72,10 +72,12 @@ int Channel::get(const GetCall &call) {
 
 void Channel::note_faults() {
     wants_inputs = delays_by_time;
-    has_put_faults = false;
+    has_put_faults = masquerades = false;
     for (const ChannelFault &fault : faults) {
         if (fault.model.kind == ChannelModelKind::delay_time)
             delays_by_time = wants_inputs = true;
+        if (fault.model.kind == ChannelModelKind::masquerade)
+            masquerades = wants_inputs = true;
         if (wants_time(fault.fresh.trigger, fault.model.model) ||
             wants_predicate(fault.fresh.trigger))
             wants_inputs = true;

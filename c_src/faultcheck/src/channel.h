@@ -8,8 +8,6 @@
 #include "recorder.h"
 #include "report.h"
 
-#include <cstdint>
-
 namespace fc {
 
 struct ChannelFault : Fault {
@@ -59,6 +57,7 @@ struct Channel {
     bool wants_inputs = false;   // a fault or a delayed packet asks for the time or a predicate
     bool delays_by_time = false; // there has been a fault that does, since fc_new or fc_reset
     bool has_put_faults = false;
+    bool masquerades = false; // a fault takes packets of another channel, which may be delayed
     std::vector<Receiver> receivers; // the first is ""
     std::vector<ChannelFault> faults;
     std::uint64_t puts = 0;

@@ -3,7 +3,6 @@
 
 #include "fc_channel.h"
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

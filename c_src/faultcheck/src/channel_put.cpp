@@ -52,8 +52,10 @@ class PutPlan {
 
     void carry_out() {
         if (target_ != nullptr && target_ != &channel_) {
-            put_directly(*target_, call_, hiding(0));
+            put_directly(*target_, call_, delay_gets_, until_ns_);
             target_->exists = true;
+            if (until_ns_ != Hiding().until_ns)
+                target_->delays_by_time = target_->wants_inputs = true;
             return;
         }
         for (const Copy &copy : copies_)
@@ -173,10 +175,11 @@ Text why_skipped(const Channel &channel, const ChannelFault &fault, int code, st
                   name.c_str(), id, fault.model.field.offset, size);
 }
 
-int put_directly(Channel &channel, const PutCall &call, const Hiding &hiding) {
+int put_directly(Channel &channel, const PutCall &call, std::uint64_t gets, std::int64_t until_ns) {
     if (!channel.has_subscriptions) {
-        channel.receivers[0].queue.prepare_back(call.size);
-        channel.receivers[0].queue.push_back(call.data, call.size, hiding);
+        Receiver &only = channel.receivers[0];
+        only.queue.prepare_back(call.size);
+        only.queue.push_back(call.data, call.size, {only.gets + gets, until_ns});
         return FC_OK;
     }
     for (Receiver &receiver : channel.receivers)
@@ -184,7 +187,7 @@ int put_directly(Channel &channel, const PutCall &call, const Hiding &hiding) {
             receiver.queue.prepare_back(call.size);
     for (Receiver &receiver : channel.receivers)
         if (channel.gets_packets(receiver))
-            receiver.queue.push_back(call.data, call.size, hiding);
+            receiver.queue.push_back(call.data, call.size, {receiver.gets + gets, until_ns});
     return FC_OK;
 }
 

@@ -5,8 +5,8 @@
 
 namespace fc {
 
-// For every receiver. Fails without a change.
-int put_directly(Channel &channel, const PutCall &call, const Hiding &hiding);
+// For every receiver, hidden for that many of his gets and until that time. Fails without a change.
+int put_directly(Channel &channel, const PutCall &call, std::uint64_t gets, std::int64_t until_ns);
 
 // FC_OK or FC_E_BLOCKED. Fails without a change.
 int put_through_faults(Channel &channel, const PutCall &call);

@@ -4,7 +4,6 @@
 #include "fc_context.h"
 
 #include <atomic>
-#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <vector>

@@ -3,8 +3,6 @@
 
 #include "recording.h"
 
-#include <cstdint>
-
 namespace fc {
 
 struct Divergence {

@@ -6,7 +6,6 @@
 #include "name_table.h"
 #include "probe.h"
 
-#include <cstdint>
 #include <mutex>
 #include <new>
 #include <stdexcept>

@@ -6,8 +6,6 @@
 #include "random_stream.h"
 #include "trigger.h"
 
-#include <cstdint>
-
 namespace fc {
 
 struct FaultCounts {

@@ -8,7 +8,6 @@
 #include "name.h"
 
 #include <atomic>
-#include <cstdint>
 #include <memory>
 #include <vector>
 

@@ -8,7 +8,6 @@
 #include "value.h"
 
 #include <atomic>
-#include <cstdint>
 #include <vector>
 
 namespace fc {

@@ -3,8 +3,6 @@
 
 #include "packet_queue.h"
 
-#include <cstdint>
-
 namespace fc {
 
 class QueueView {

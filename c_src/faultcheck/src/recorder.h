@@ -4,7 +4,6 @@
 #include "recording.h"
 #include "spin_lock.h"
 
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <memory>

@@ -9,7 +9,6 @@
 
 #include "fc_record.h"
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #include "channel.h"
 #include "queue_view.h"
 
-#include <cstdint>
 #include <deque>
 
 namespace fc {

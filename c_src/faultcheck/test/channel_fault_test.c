@@ -376,6 +376,35 @@ static void channels_know_every_trigger(void) {
     CHECK_TAKE("", 1, "B");
 }
 
+static void delays_hold_on_the_channels_that_packets_get_to(void) {
+    start("");
+    fc_advance(ctx, 1000);
+    CHECK_INT(fc_channel_put(ctx, "c", "A", 1), FC_OK);
+    CHECK_TAKE("", 1, "A");
+    fc_channel_add_misroute(ctx, "other", "c");
+    fc_channel_add_delay(ctx, "other", 1);
+    CHECK_INT(fc_channel_put(ctx, "other", "B", 1), FC_OK);
+    CHECK_TAKE("", 2, "-B"); /* one get after those that were before */
+
+    start("");
+    fc_advance(ctx, 1000);
+    fc_channel_add_misroute(ctx, "other", "c");
+    fc_channel_add_delay_time(ctx, "other", 500);
+    CHECK_INT(fc_channel_put(ctx, "other", "A", 1), FC_OK);
+    CHECK_TAKE("", 1, "-");
+    fc_advance(ctx, 500);
+    CHECK_TAKE("", 1, "A");
+
+    start("");
+    fc_advance(ctx, 1000);
+    fc_channel_add_delay_time(ctx, "other", 500);
+    CHECK_INT(fc_channel_put(ctx, "other", "A", 1), FC_OK);
+    fc_channel_add_masquerade(ctx, "c", "other");
+    CHECK_TAKE("", 1, "-");
+    fc_advance(ctx, 500);
+    CHECK_TAKE("", 1, "A");
+}
+
 static void put_faults_count_puts(void) {
     start("");
     fc_fault_id fault = fc_channel_add_block_put(ctx, "c");
@@ -409,6 +438,7 @@ int main(void) {
     asymmetric_alters_the_listed_receivers_copy();
     a_fault_can_be_for_one_receiver();
     channels_know_every_trigger();
+    delays_hold_on_the_channels_that_packets_get_to();
     put_faults_count_puts();
     fc_free(ctx);
     return CHECK_RESULT();

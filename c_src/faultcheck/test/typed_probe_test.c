@@ -61,6 +61,10 @@ static void wide_integers_are_exact(void) {
     CHECK(probe_u64(UINT64_MAX) == UINT64_MAX);
     CHECK_INT(probe_i64(INT64_MAX), INT64_MAX);
     start();
+    fc_add_offset(ctx, "p", 0x1p63); /* beyond int64_t itself */
+    CHECK_INT(probe_i64(-2), INT64_MAX - 1);
+    CHECK(probe_u64(1) == (UINT64_C(1) << 63) + 1);
+    start();
     fc_add_amplification(ctx, "p", 3);
     CHECK_INT(probe_i64(big), 3 * big);
     CHECK(probe_i64(INT64_MIN) == INT64_MIN);
