@@ -143,7 +143,8 @@ checks(File, Entries, Properties, Found, Request) ->
             Names = [lists:concat([KM, ":", KF]) || {KM, KF} <- Known],
             Name = lists:concat([M, ":", F]),
             Near = faultcheck_suggest:phrase(Name, Names),
-            usage(lists:concat([File, ": no property ", Name, Near]), Request)
+            Hint = "; a property in another directory needs --dir",
+            usage(lists:concat([File, ": no property ", Name, Near, Hint]), Request)
     end.
 
 %% @doc Runs a stored case again and prints each command with its result.
