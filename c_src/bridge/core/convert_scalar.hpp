@@ -5,6 +5,8 @@
 #include "term.hpp"
 #include "type.hpp"
 
+#include <cstdint>
+
 namespace cb {
 
 [[noreturn]] void bad_value(const char *what, const Type &type, TermReader &reader, Term term);

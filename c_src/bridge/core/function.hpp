@@ -6,6 +6,7 @@
 #include "ffi_types.hpp"
 #include "type.hpp"
 
+#include <cstdint>
 #include <ffi.h>
 
 #include <optional>

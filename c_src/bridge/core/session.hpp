@@ -16,6 +16,7 @@
 #include "type_table.hpp"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>

@@ -4,6 +4,7 @@
 
 #include "term.hpp"
 
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>

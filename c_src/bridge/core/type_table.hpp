@@ -3,6 +3,7 @@
 
 #include "type.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>

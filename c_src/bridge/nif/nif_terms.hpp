@@ -3,6 +3,7 @@
 
 #include "../core/term.hpp"
 
+#include <cstdint>
 #include <erl_nif.h>
 
 #include <cstring>

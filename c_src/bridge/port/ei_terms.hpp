@@ -3,6 +3,7 @@
 
 #include "../core/term.hpp"
 
+#include <cstdint>
 #include <ei.h>
 
 #include <vector>

@@ -14,6 +14,7 @@
 #include "E2E_P44.h"
 #include "request.hpp"
 #include <algorithm>
+#include <cstdint>
 
 namespace e2e_vectors {
 

@@ -7,6 +7,7 @@
 #include "sensor_model.h"
 #include "trigger.h"
 
+#include <cstdint>
 #include <cstring>
 
 namespace fc {

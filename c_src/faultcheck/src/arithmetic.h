@@ -7,6 +7,8 @@
 #include "model.h"
 #include "value.h"
 
+#include <cstdint>
+
 namespace fc {
 
 inline double compute(const Model &model, double x) {

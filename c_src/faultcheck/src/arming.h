@@ -3,6 +3,8 @@
 
 #include "context.h"
 
+#include <cstdint>
+
 namespace fc {
 
 // A fault id, or refusal with the text why; refusal FC_OK adds.

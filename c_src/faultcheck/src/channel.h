@@ -8,6 +8,8 @@
 #include "recorder.h"
 #include "report.h"
 
+#include <cstdint>
+
 namespace fc {
 
 struct ChannelFault : Fault {

@@ -3,6 +3,7 @@
 
 #include "fc_channel.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -4,6 +4,7 @@
 #include "fc_context.h"
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <vector>

@@ -6,6 +6,7 @@
 #include "name_table.h"
 #include "probe.h"
 
+#include <cstdint>
 #include <mutex>
 #include <new>
 #include <stdexcept>

@@ -6,6 +6,8 @@
 #include "random_stream.h"
 #include "trigger.h"
 
+#include <cstdint>
+
 namespace fc {
 
 struct FaultCounts {

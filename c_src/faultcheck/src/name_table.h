@@ -8,6 +8,7 @@
 #include "name.h"
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <vector>
 

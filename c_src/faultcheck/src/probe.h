@@ -8,6 +8,7 @@
 #include "value.h"
 
 #include <atomic>
+#include <cstdint>
 #include <vector>
 
 namespace fc {

@@ -3,6 +3,8 @@
 
 #include "context.h"
 
+#include <cstdint>
+
 namespace fc {
 
 // The first call of an identifier with a type. known: its record, or null when it has none yet.

@@ -3,6 +3,8 @@
 
 #include "packet_queue.h"
 
+#include <cstdint>
+
 namespace fc {
 
 class QueueView {

@@ -4,6 +4,7 @@
 #include "recording.h"
 #include "spin_lock.h"
 
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <memory>

@@ -9,6 +9,7 @@
 
 #include "fc_record.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -4,6 +4,8 @@
 #include "model.h"
 #include "random_stream.h"
 
+#include <cstdint>
+
 namespace fc {
 
 // What a sensor model knows of a call beside the value.

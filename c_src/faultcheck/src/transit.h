@@ -4,6 +4,7 @@
 #include "channel.h"
 #include "queue_view.h"
 
+#include <cstdint>
 #include <deque>
 
 namespace fc {
