@@ -356,7 +356,7 @@ agrees(Profile) ->
         end,
         ?FORALL(Commands, more_commands(2, commands(?MODULE)), begin
             ok = use(Profile),
-            ok = e2e_sut:begin_test(),
+            ok = e2e_sut:prepare(),
             {_, _, Result} = Run = run_commands(?MODULE, Commands),
             ?WHENFAIL(
                 io:put_chars(faultcheck_statem:pretty(?MODULE, Commands, Run)),

@@ -46,7 +46,7 @@ faults() ->
 -spec run(atom(), link(), Trials :: pos_integer(), Seed :: integer()) -> result().
 run(Fault, {P, Config, _} = Link, Trials, Seed) ->
     _ = rand:seed(exsss, {Seed, erlang:phash2(P), erlang:phash2(Fault)}),
-    ok = e2e_sut:begin_test(),
+    ok = e2e_sut:prepare(),
     Machine = #{'WindowSizeValid' => 1, 'WindowSizeInit' => 1, 'WindowSizeInvalid' => 1},
     [ok, ok, ok] = e2e_sut:open(P, Config, Machine),
     ok = e2e_sut:set_counter(rand:uniform(e2e_packet:counters(P)) - 1),

@@ -7,7 +7,7 @@
 %% searched for.
 -module(e2e_sut).
 
--export([begin_test/0, open/3, stop/0, library/0]).
+-export([prepare/0, open/3, stop/0, library/0]).
 -export([protect/1, check/1, judge/2, map_status/4, step_machine/1]).
 -export([sender/0, receiver/0, machine/0, set_counter/1, set_machine_state/1]).
 -export([initialise/1, initialise_null/1, misuse_protect/3, misuse_check/3, misuse_machine/1]).
@@ -19,8 +19,8 @@
 -define(LIBRARY, "libe2e.so").
 
 %% @doc Loads the library, or frees what an earlier test left in it.
--spec begin_test() -> ok.
-begin_test() ->
+-spec prepare() -> ok.
+prepare() ->
     case get(?MODULE) of
         undefined -> start();
         Sut -> restarted(cb:restart(lib(Sut)))

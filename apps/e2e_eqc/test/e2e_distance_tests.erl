@@ -69,7 +69,7 @@ two_flips_test_() ->
 refuses(P) ->
     Config = e2e_configuration:example(P),
     {Bytes, _} = e2e_packet:lengths(P, Config),
-    ok = e2e_sut:begin_test(),
+    ok = e2e_sut:prepare(),
     Machine = #{'WindowSizeValid' => 1, 'WindowSizeInit' => 1, 'WindowSizeInvalid' => 1},
     [ok, ok, ok] = e2e_sut:open(P, Config, Machine),
     {ok, Packet} = e2e_sut:protect(<<16#5A, 0:(Bytes - 1)/unit:8>>),

@@ -66,7 +66,7 @@ prop_machine() ->
         {Config, Verdicts},
         {e2e_configuration:machine(), list(verdict())},
         begin
-            ok = e2e_sut:begin_test(),
+            ok = e2e_sut:prepare(),
             [ok, ok, ok] = e2e_sut:open(p05, e2e_configuration:example(p05), Config),
             {Real, _} = lists:mapfoldl(fun step/2, sut, Verdicts),
             Start = e2e_machine:initial(Config),
@@ -106,7 +106,7 @@ prop_checksums() ->
         {Algorithm, Data},
         {oneof(e2e_crc:algorithms()), oneof([binary(), ?LET(N, integer(0, 300), binary(N))])},
         ?FORALL(At, integer(0, byte_size(Data)), begin
-            ok = e2e_sut:begin_test(),
+            ok = e2e_sut:prepare(),
             <<Before:At/binary, After/binary>> = Data,
             Whole = e2e_crc:calculate(Algorithm, Data),
             First = e2e_crc:calculate(Algorithm, Before),
@@ -127,7 +127,7 @@ prop_map_status() ->
         {oneof(e2e_packet:profiles()), oneof([0, 0, 0, 16#13, 16#17, 1, byte()]),
             oneof([0, 1, 2, 3, 4, 7, 8, 16#20, 16#40, byte()]), boolean()},
         begin
-            ok = e2e_sut:begin_test(),
+            ok = e2e_sut:prepare(),
             Known = if Answer =:= 0 -> ok; true -> internal end,
             Expected = e2e_receiver:to_machine(P, Known, named(P, Status), Behaviour),
             e2e_sut:map_status(P, Answer, Status, Behaviour) =:= Expected
@@ -157,7 +157,7 @@ prop_p01_check_config() ->
             maps:merge(C, maps:from_list(Changes))
         ),
         begin
-            ok = e2e_sut:begin_test(),
+            ok = e2e_sut:prepare(),
             Expected = case sound(Config) of true -> ok; false -> input_wrong end,
             ?WHENFAIL(
                 io:format("expected ~p~n", [Expected]),

@@ -5,7 +5,7 @@
 %% made to bisect after the first few, so that large ones take as many runs as they have bits.
 -module(faultcheck_argument_shrinker).
 
--export([command/4]).
+-export([command/4, generated/3]).
 
 %% Steps of PropEr's shrinkers for one command, before it is left as it is.
 -define(MAX_STEPS, 5000).
@@ -37,6 +37,16 @@ command(Var, Linear, Shrinker, Then) ->
                        type = type(Mod, Var, Name, Commands),
                        imm = maps:get(Var, Side, Args)},
             next(init, Arg, Shrinker, Then)
+    end.
+
+%% @doc Whether the generators of a command could give these arguments at this place.
+-spec generated(module(), faultcheck_generator:command(), [faultcheck_generator:command()]) ->
+          boolean().
+generated(Mod, {set, {var, Var}, {call, _, Name, Args}}, Commands) ->
+    try
+        faultcheck_proper:is_instance(Args, type(Mod, Var, Name, Commands))
+    catch
+        error:_ -> false % X_args does not know the state that the change leads to
     end.
 
 type(Mod, Var, Name, Commands) ->

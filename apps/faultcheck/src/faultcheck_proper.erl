@@ -1,7 +1,7 @@
 %% @doc Every internal of PropEr that is relied on, in one place.
 %%
 %% The internals are the same in PropEr 1.2 and 1.5:
-%%   proper_types:new_type/2, cook_outer/1;  proper_gen:safe_generate/1, clean_instance/1;
+%%   proper_types:new_type/2, cook_outer/1, is_instance/2;  proper_gen:safe_generate/1, clean_instance/1;
 %%   proper_shrink:shrink/3, number_shrinker/4;  the tuple {'$used', Parts, Instance}, of
 %%   which cleaning keeps Instance;  the state {inc, Last, Inc, OverLimit} of the number
 %%   shrinker, found as the last element of the shrinker states around it;
@@ -10,7 +10,7 @@
 -module(faultcheck_proper).
 
 -export([new_type/4, integer_type/3, resized/2]).
--export([generate/1, fast_generate/1, clean/1, with_side/2, side/1, cook/1]).
+-export([generate/1, fast_generate/1, clean/1, with_side/2, side/1, cook/1, is_instance/2]).
 -export([shrink/3, number_state/1, set_number/2, end_number/1]).
 -export([with_state/3, size/0, preserving_random/2]).
 -export_type([type/0, imm/0, shrink_state/0, seed/0]).
@@ -114,6 +114,11 @@ side(_) ->
 -spec cook(type()) -> type().
 cook(RawType) ->
     proper_types:cook_outer(RawType).
+
+%% @doc Whether a value is of a type, as far as PropEr can tell.
+-spec is_instance(term(), type()) -> boolean().
+is_instance(Value, Type) ->
+    proper_types:is_instance(Value, Type) =:= true.
 
 %% @doc One step of PropEr's own shrinkers. They may raise when the type no longer
 %% fits the value; that ends the shrinking of this value.

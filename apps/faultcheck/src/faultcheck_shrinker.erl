@@ -12,7 +12,9 @@
 %%   3  shrink arguments (faultcheck_argument_shrinker), command by command until nothing
 %%      changes; after any change single commands are tried again
 %%   4  the same with every value near the simplest one of each number, `linear' of them
-%%   5  renumber the variables
+%%   5  remove a command while a value moves by one bit (faultcheck_joint_shrinker); after a
+%%      success single commands are tried again
+%%   6  renumber the variables
 %%
 %% Every candidate is made legal by faultcheck_repair first, and none is tried twice. The
 %% result is minimal: no single command can be removed and no argument shrunk by one step.
@@ -175,7 +177,7 @@ arguments(State) ->
     round(?FIRST_VALUES, State, fun thorough/1).
 
 thorough(#state{options = #{linear := Linear}} = State) ->
-    round(Linear, State, fun renumber/1).
+    round(Linear, State, fun joint/1).
 
 round(Linear, #state{commands = Commands} = State, Then) ->
     Vars = [N || {set, {var, N}, _} <- Commands],
@@ -190,7 +192,25 @@ each([Var | Vars], Linear, State, Then) ->
     faultcheck_argument_shrinker:command(Var, Linear, State,
                                          fun(Next) -> each(Vars, Linear, Next, Then) end).
 
-%%% 5 Renumber
+%%% 5 Remove a command and move a value
+
+joint(#state{mod = Mod, commands = Commands} = State) ->
+    joint(faultcheck_joint_shrinker:candidates(Mod, Commands), State).
+
+joint([], State) ->
+    renumber(State);
+joint([Candidate | Rest], #state{side = Side} = State) ->
+    attempt(Candidate, moved_side(Candidate, State#state.commands, Side), State,
+            fun(true, Next) -> singles(Next);
+               (false, Next) -> joint(Rest, Next)
+            end).
+
+%% Values that moved have no intermediate form any more.
+moved_side(Candidate, Commands, Side) ->
+    maps:with([N || {set, {var, N}, _} = Command <- Candidate, lists:member(Command, Commands)],
+              Side).
+
+%%% 6 Renumber
 
 renumber(#state{commands = Commands, side = Side} = State) ->
     {Numbered, NumberedSide} = faultcheck_repair:renumber(Commands, Side),

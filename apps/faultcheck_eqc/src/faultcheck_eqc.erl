@@ -274,7 +274,7 @@ agrees(Profile) ->
         end,
         ?FORALL(Commands, more_commands(3, commands(?MODULE)), begin
             ok = use(Profile),
-            ok = faultcheck_eqc_sut:begin_test(),
+            ok = faultcheck_eqc_sut:prepare(),
             {_, _, Result} = Run = run_commands(?MODULE, Commands),
             ?WHENFAIL(
                 io:put_chars(faultcheck_statem:pretty(?MODULE, Commands, Run)),

@@ -5,7 +5,7 @@
 %% bytes, so no bit of a float is lost.
 -module(faultcheck_eqc_sut).
 
--export([begin_test/0, stop/0, add/3, trigger/3, latest/2, enable/3, remove/2, remove_all/2]).
+-export([prepare/0, stop/0, add/3, trigger/3, latest/2, enable/3, remove/2, remove_all/2]).
 -export([restrict/3, probe/4, num_active/2, put/3, get/4, subscribe/3, clear/2, depth/3]).
 -export([advance/2, seed/2, reset/1, errors/1, lib/0, context/1, library_dir/0]).
 -export([legacy_add/2, legacy_trigger/2, legacy_probe/3]).
@@ -18,8 +18,8 @@
 -define(ROOM, 64).
 
 %% @doc All contexts as new, with manual clocks at 0.
--spec begin_test() -> ok.
-begin_test() ->
+-spec prepare() -> ok.
+prepare() ->
     #{lib := Lib} = Sut = instance(),
     Calls = [
         Call
