@@ -52,11 +52,11 @@ width(Value) -> 1 + width(Value bsr 1).
 
 move(Name, From, To, Commands) ->
     [
-        case Command of
-            {set, Var, {call, Mod, Name, Args}} -> {set, Var, {call, Mod, Name, moved(From, To, Args)}};
+        case Called of
+            Name -> {set, Var, {call, Mod, Name, moved(From, To, Args)}};
             _ -> Command
         end
-     || Command <- Commands
+     || {set, Var, {call, Mod, Called, Args}} = Command <- Commands
     ].
 
 moved(From, To, From) -> To;

@@ -1,7 +1,8 @@
 %% @doc Every internal of PropEr that is relied on, in one place.
 %%
 %% The internals are the same in PropEr 1.2 and 1.5:
-%%   proper_types:new_type/2, cook_outer/1, is_instance/2;  proper_gen:safe_generate/1, clean_instance/1;
+%%   proper_types:new_type/2, cook_outer/1, is_instance/2;
+%%   proper_gen:safe_generate/1, clean_instance/1;
 %%   proper_shrink:shrink/3, number_shrinker/4;  the tuple {'$used', Parts, Instance}, of
 %%   which cleaning keeps Instance;  the state {inc, Last, Inc, OverLimit} of the number
 %%   shrinker, found as the last element of the shrinker states around it;

@@ -348,8 +348,8 @@ bad_or(Good, Kind) -> frequency([{19, Good}, {1, oneof(refused(Kind))}]).
 refused(probe) -> [{bitflip, -1}, {stuck_bit, -1, 1}];
 refused(sensor) ->
     [{drift, 1.0, -1.0}, {saturate, 2.0, 1.0}, {ramp, 1.0, 0}, {quantise, 0.0},
-     {delay, {calls, -1}}, {dropout, 1.5, hold}, {spike, -0.5, 1.0}, {noise_gauss, nan}, {random_offset, 1.0, 0.0},
-     {oscillate, 1.0, 0}, {dead_zone, nan, 1.0}];
+     {delay, {calls, -1}}, {dropout, 1.5, hold}, {spike, -0.5, 1.0},
+     {noise_gauss, nan}, {random_offset, 1.0, 0.0}, {oscillate, 1.0, 0}, {dead_zone, nan, 1.0}];
 refused(channel) ->
     [{drop, -1}, {repeat, -1}, {corruption, -1, 0}, {corruption, 0, 8}, {resequence, -1},
      {delay, {gets, -1}}, {delay, {ns, -1}}, {insert, <<1>>, -1}].

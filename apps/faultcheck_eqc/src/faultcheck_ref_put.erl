@@ -34,7 +34,8 @@ put(Name, Data, Now, Channels) ->
         #plan{target = Target, errors = Errors} ->
             Everybody = maps:from_list(
                 [{R, Data} || R <- faultcheck_ref_channel:names(channel(Target, Advanced))]),
-            {'FC_OK', Errors, deliver(Target, Plan#plan{copies = Everybody, excluded = []}, Advanced)}
+            Copied = Plan#plan{copies = Everybody, excluded = []},
+            {'FC_OK', Errors, deliver(Target, Copied, Advanced)}
     end.
 
 channel(Name, Channels) -> maps:get(Name, Channels, faultcheck_ref_channel:new()).
