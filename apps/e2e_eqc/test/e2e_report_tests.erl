@@ -31,7 +31,11 @@ seeds_test() ->
     {ok, _} = application:ensure_all_started(c_bridge),
     Config = e2e_configuration:example(p01),
     Run = fun(Seed) -> e2e_fault_trial:run(random, {p01, Config, 4}, 2000, Seed) end,
-    #{statuses := Statuses} = First = Run(1),
-    ?assertEqual(First, Run(1)),
-    ?assertNotEqual(First, Run(2)),
-    ?assertEqual(2000, lists:sum(maps:values(Statuses))).
+    try
+        #{statuses := Statuses} = First = Run(1),
+        ?assertEqual(First, Run(1)),
+        ?assertNotEqual(First, Run(2)),
+        ?assertEqual(2000, lists:sum(maps:values(Statuses)))
+    after
+        e2e_sut:stop()
+    end.

@@ -6,13 +6,13 @@
 -export([append/4, visible/2, clear/1, depth/2]).
 -export_type([channel/0, receiver/0, packet/0]).
 
--type packet() :: {Bytes :: binary(), FromGet :: non_neg_integer(), FromTime :: integer()}.
+-type packet() :: {Bytes :: binary() | any, FromGet :: non_neg_integer(), FromTime :: integer()}.
 -type receiver() :: #{
     name := binary(),
     subscribed := boolean(),
     queue := [packet()],
     gets := non_neg_integer(),
-    last := none | binary()
+    last := none | any | binary()
 }.
 -type channel() :: #{
     %% got a packet, a fault or a receiver
@@ -66,7 +66,7 @@ recipients(#{receivers := Receivers}) ->
     end.
 
 %% @doc Queues a packet, hidden for that many gets of this receiver and until that time.
--spec append(binary(), non_neg_integer(), integer(), receiver()) -> receiver().
+-spec append(binary() | any, non_neg_integer(), integer(), receiver()) -> receiver().
 append(Bytes, HiddenGets, FromTime, #{queue := Queue, gets := Gets} = Receiver) ->
     Receiver#{queue := Queue ++ [{Bytes, Gets + HiddenGets, FromTime}]}.
 

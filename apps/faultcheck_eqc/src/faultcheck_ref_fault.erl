@@ -33,8 +33,9 @@ new(Id, Model, Seed, Name, Ordinal) ->
         active => false,
         budget => budget(Model)
     },
-    seed(Seed, Name, #{id => Id, model => Model, ordinal => Ordinal, stream => none,
-                       enabled => true, receiver => all, fresh => Run, runs => #{}}).
+    #{id => Id, model => Model, ordinal => Ordinal,
+      stream => faultcheck_ref_stream:new(Seed, Name, Ordinal),
+      enabled => true, receiver => all, fresh => Run, runs => #{}}.
 
 budget({drop, N}) -> N;
 budget({repeat, N}) -> N;
