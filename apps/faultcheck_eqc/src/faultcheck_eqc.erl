@@ -9,7 +9,8 @@
 -export_type([profile/0]).
 
 %% What the commands work on.
--type profile() :: probes | sensors | channels | communication | everything.
+-type profile() ::
+    probes | triggers | sensors | channels | communication | routing | everything.
 
 -record(state, {
     profile :: profile(),
@@ -62,7 +63,9 @@ add_post(S, [Name, Place, Model], Result) ->
 second({asymmetric, _, _, _}, Faults) -> [a || #{model := {asymmetric, _, _, _}} <- Faults] =/= [];
 second(_, _) -> false.
 
-bounded(Place, Name, S) -> length(faultcheck_ref:faults(Place, context(Name, S))) < 4.
+bounded(Place, Name, #state{profile = P} = S) ->
+    Most = case P of triggers -> 2; routing -> 2; _ -> 4 end,
+    length(faultcheck_ref:faults(Place, context(Name, S))) < Most.
 
 %% ---- legacy_add: the same through the compatible interface ------------------------------------
 legacy_add_args(S) ->
@@ -90,7 +93,7 @@ legacy(Model) -> Model.
 %% ---- trigger ----------------------------------------------------------------------------------
 trigger_pre(S) -> armed(S) =/= [].
 trigger_args(S) ->
-    ?LET({Name, Id}, a_fault(S), [Name, Id, change()]).
+    ?LET({Name, Id}, a_fault(S), [Name, Id, change(S)]).
 trigger_pre(S, [Name, Id, _]) -> is_armed(Name, Id, S).
 trigger(Name, Id, Change) -> faultcheck_eqc_sut:trigger(Name, Id, Change).
 trigger_next(S, _, [Name, Id, Change]) ->
@@ -208,7 +211,7 @@ get_post(S, [Name, Channel, Receiver, Capacity], Result) ->
         {Expected, _} -> Result =:= Expected
     end.
 
-subscribe_pre(S) -> allowed(channel, S) andalso S#state.profile =/= channels.
+subscribe_pre(#state{profile = P} = S) -> allowed(channel, S) andalso P =/= channels.
 subscribe_args(S) -> [context(S), channel(), receiver()].
 subscribe_pre(S, _) -> subscribe_pre(S).
 subscribe(Name, Channel, Receiver) -> faultcheck_eqc_sut:subscribe(Name, Channel, Receiver).
@@ -302,23 +305,29 @@ is_armed(Name, Id, S) -> lists:member({Name, Id}, armed(S)).
 
 is_known(Name, Id, S) -> Id =:= never() orelse is_armed(Name, Id, S).
 
-allowed(probe, #state{profile = P}) -> lists:member(P, [probes, sensors, everything]);
-allowed(channel, #state{profile = P}) -> lists:member(P, [channels, communication, everything]).
+allowed(probe, #state{profile = P}) ->
+    lists:member(P, [probes, triggers, sensors, everything]);
+allowed(channel, #state{profile = P}) ->
+    lists:member(P, [channels, communication, routing, everything]).
 
 %% ---- generators ---------------------------------------------------------------------------------
 
 %% Two contexts show what leaks from one to the other; most things happen in one.
+context(#state{profile = P}) when P =:= triggers; P =:= routing -> a;
 context(_S) -> frequency([{6, a}, {1, b}, {3, default}]).
 
 %% Few names, so that faults meet. One is no text.
+probe_id(#state{profile = triggers}) -> <<"x">>;
 probe_id(_S) -> frequency([{4, <<"x">>}, {2, <<"y">>}, {1, <<255, 1>>}, {1, <<>>}]).
 
 channel() -> frequency([{4, <<"x">>}, {2, <<"y">>}]).
 
 receiver() -> frequency([{3, <<>>}, {2, <<"r">>}, {1, <<"s">>}]).
 
-place(#state{profile = P} = S) when P =:= probes; P =:= sensors -> {probe, probe_id(S)};
-place(#state{profile = P}) when P =:= channels; P =:= communication -> {channel, channel()};
+place(#state{profile = P} = S) when P =:= probes; P =:= triggers; P =:= sensors ->
+    {probe, probe_id(S)};
+place(#state{profile = P}) when P =:= channels; P =:= communication; P =:= routing ->
+    {channel, channel()};
 place(S) -> oneof([{probe, probe_id(S)}, {channel, channel()}]).
 
 a_fault(S) -> oneof(armed(S)).
@@ -333,8 +342,20 @@ maybe_a_fault(S) ->
 never() -> 987654321.
 
 model(#state{profile = probes}, _) -> bad_or(a_model(faultcheck_fault_gen:probe()), probe);
+%% Conditions meet on few faults that show each affected call.
+model(#state{profile = triggers}, _) -> oneof([{offset, 1.0}, {bitflip, 4}, bitflip_random]);
 model(#state{profile = sensors}, _) -> bad_or(a_model(faultcheck_fault_gen:sensor()), sensor);
 model(#state{profile = channels}, _) -> legacy_model(channel);
+%% Packets that are late meet faults that look elsewhere for packets.
+model(#state{profile = routing}, {channel, Channel}) ->
+    [Other] = [<<"x">>, <<"y">>] -- [Channel],
+    frequency([
+        {4, {misroute, Other}},
+        {4, {delay, {gets, integer(1, 3)}}},
+        {2, {delay, {ns, 1000}}},
+        {2, {masquerade, Other}},
+        {1, oneof([{resequence, 1}, {drop, 1}, repeat_last])}
+    ]);
 model(_, {probe, _}) -> a_model(?LET(T, type(), faultcheck_fault_gen:value(T)));
 model(_, {channel, Channel}) ->
     Names = #{channels => [<<"x">>, <<"y">>] -- [Channel], receivers => [<<>>, <<"r">>, <<"s">>]},
@@ -368,7 +389,16 @@ legacy_model(channel) ->
         {oneof([drop, repeat]), integer(-1, 4)}
     ]).
 
-change() ->
+%% Conditions that leave a fault alive, so that they meet.
+change(#state{profile = triggers}) ->
+    frequency([
+        {1, {from, integer(0, 3)}},
+        {1, {for, integer(5, 20)}},
+        {3, {random, 0.5}},
+        {3, {periodic, integer(2, 4), integer(1, 3)}},
+        {2, {time, oneof([0, 1000]), oneof([forever, 1000000000])}}
+    ]);
+change(_S) ->
     frequency([
         {1, none},
         {3, {from, oneof([0, 1, 2, 3, 16#FFFFFFFFFFFFFFFF, 16#100000001])}},
