@@ -34,6 +34,7 @@ demo    erlang:proper.hrl        erlang-proper-dev
 test    app:common_test          erlang-common-test
 test    app:dialyzer             erlang-dialyzer
 test    cmd:clang                clang
+test    cmd:llvm-symbolizer      llvm
 test    link:-fsanitize=fuzzer   libclang-rt
 test    cmd:clang-format         clang-format
 test    cmd:shellcheck           shellcheck

@@ -71,7 +71,7 @@ options(Given) ->
     Default = #{confirm => 10, max_tries => 20000, max_ms => 60000, linear => 256},
     maps:foreach(fun(confirm, V) when is_integer(V), V >= 0 -> ok;
                     (Key, V) when is_integer(V), V > 0, is_map_key(Key, Default) -> ok;
-                    (Key, V) -> error({shrink_option, Key, V, {known, maps:keys(Default)}})
+                    (Key, V) -> error({shrink_option, Key, V, {known, lists:sort(maps:keys(Default))}})
                  end, Given),
     maps:merge(Default, Given).
 
