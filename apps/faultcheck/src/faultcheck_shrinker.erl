@@ -69,9 +69,10 @@
 -spec options(map()) -> options().
 options(Given) ->
     Default = #{confirm => 10, max_tries => 20000, max_ms => 60000, linear => 256},
+    Known = lists:sort(maps:keys(Default)),
     maps:foreach(fun(confirm, V) when is_integer(V), V >= 0 -> ok;
                     (Key, V) when is_integer(V), V > 0, is_map_key(Key, Default) -> ok;
-                    (Key, V) -> error({shrink_option, Key, V, {known, lists:sort(maps:keys(Default))}})
+                    (Key, V) -> error({shrink_option, Key, V, {known, Known}})
                  end, Given),
     maps:merge(Default, Given).
 
