@@ -12,7 +12,7 @@
 
 -type form() :: erl_parse:abstract_form() | erl_parse:form_info().
 
--define(SUFFIXES, ["_args", "_pre", "_next", "_post", "_req"]).
+-define(SUFFIXES, ["_args", "_pre", "_next", "_post", "_req", "_mutate", "_duration"]).
 -define(REPLACED, [{commands, 1}, {commands, 2}, {more_commands, 2}, {run_commands, 2},
                    {run_commands, 3}, {command_names, 1}]).
 
@@ -188,6 +188,8 @@ check_patterns(#fn{name = F, arity = A, clauses = Clauses} = Fn, X, Fns) ->
 args_pattern(F, Head) ->
     case {split(F), Head} of
         {{_, "_pre"}, [_, Args]} -> {ok, Args};
+        {{_, "_mutate"}, [Args, _, _]} -> {ok, Args};
+        {{_, "_duration"}, [Args]} -> {ok, Args};
         {{_, "_next"}, [_, _, Args]} -> {ok, Args};
         {{_, "_post"}, [_, Args, _]} -> {ok, Args};
         {{_, "_req"}, [_, Args, _]} -> {ok, Args};
@@ -206,11 +208,14 @@ list_length(_) -> [].
 
 allowed("_args") -> [1];
 allowed("_pre") -> [1, 2];
+allowed("_duration") -> [1];
 allowed(_) -> [3].
 
 right(X, "_args") -> io_lib:format("~ts_args(State)", [X]);
 right(X, "_pre") -> io_lib:format("~ts_pre(State) or ~ts_pre(State, Args)", [X, X]);
 right(X, "_next") -> io_lib:format("~ts_next(State, Result, Args)", [X]);
+right(X, "_mutate") -> io_lib:format("~ts_mutate(Args, Scale, State)", [X]);
+right(X, "_duration") -> io_lib:format("~ts_duration(Args)", [X]);
 right(X, Suffix) -> io_lib:format("~ts~ts(State, Args, Result)", [X, Suffix]).
 
 find(Name, Arity, Fns) ->
@@ -261,7 +266,7 @@ is_eof(_) -> false.
 public(Commands, Fns) ->
     Callbacks = [{F, A} || X <- Commands, #fn{name = F, arity = A} <- Fns,
                            F =:= X orelse is_callback_of(X, F, A)],
-    Model = [{initial_state, 0}, {weight, 2}, {faults, 0}],
+    Model = [{initial_state, 0} | faultcheck_model:optional()],
     Callbacks ++ [FA || Commands =/= [], {F, A} = FA <- Model, has(F, A, Fns)].
 
 is_callback_of(X, F, A) ->

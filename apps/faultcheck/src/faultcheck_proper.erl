@@ -1,7 +1,8 @@
 %% @doc Every internal of PropEr that is relied on, in one place.
 %%
 %% The internals are the same in PropEr 1.2 and 1.5:
-%%   proper_types:new_type/2, cook_outer/1, is_instance/2;
+%%   proper_types:new_type/2, cook_outer/1, is_instance/2, find_prop/2, subtype/2;
+%%   integer/2 and float/2 keep their limits as the property env, {Low, High};
 %%   proper_gen:safe_generate/1, clean_instance/1;
 %%   proper_shrink:shrink/3, number_shrinker/4;  the tuple {'$used', Parts, Instance}, of
 %%   which cleaning keeps Instance;  the state {inc, Last, Inc, OverLimit} of the number
@@ -10,9 +11,9 @@
 %% faultcheck_proper_tests has a test for each, so that a PropEr that differs is noticed.
 -module(faultcheck_proper).
 
--export([new_type/4, integer_type/3, resized/2]).
+-export([new_type/4, integer_type/3, resized/2, with_limits/2, limits/1]).
 -export([generate/1, fast_generate/1, clean/1, with_side/2, side/1, cook/1, is_instance/2]).
--export([shrink/3, number_state/1, set_number/2, end_number/1]).
+-export([shrink/3, shrink_number/4, number_state/1, set_number/2, end_number/1]).
 -export([with_state/3, size/0, preserving_random/2]).
 -export_type([type/0, imm/0, shrink_state/0, seed/0]).
 
@@ -73,6 +74,28 @@ integer_type(Lo, Hi, Generator) ->
 resized(N, Type) ->
     proper_types:sized(fun(Size) -> proper_types:resize(Size * N, Type) end).
 
+%% @doc The type with limits that limits/1 tells again.
+-spec with_limits(faultcheck_range:limits(), type()) -> type().
+with_limits(Limits, Type) ->
+    proper_types:subtype([{env, {?MODULE, Limits}}], Type).
+
+%% @doc The limits of a number's type: those of with_limits/2, or those of PropEr's integer/2 and
+%% float/2 where both are finite.
+-spec limits(type()) -> {ok, faultcheck_range:limits()} | none.
+limits({'$type', _} = Type) ->
+    case proper_types:find_prop(env, Type) of
+        {ok, {?MODULE, Limits}} ->
+            {ok, Limits};
+        {ok, {Low, High}} when is_integer(Low), is_integer(High) ->
+            {ok, #{kind => int, min => Low, max => High}};
+        {ok, {Low, High}} when is_number(Low), is_number(High) ->
+            {ok, #{kind => real, min => float(Low), max => float(High)}};
+        _ ->
+            none
+    end;
+limits(_) ->
+    none.
+
 %% @doc An intermediate instance of a type; error when PropEr cannot make one.
 -spec generate(type()) -> {ok, imm()} | error.
 generate(RawType) ->
@@ -130,6 +153,11 @@ shrink(Imm, Type, State) ->
     catch
         _:_ -> {[], done}
     end.
+
+%% @doc One step of PropEr's shrinker of numbers Low..High.
+-spec shrink_number(number(), number(), number(), shrink_state()) -> {[number()], shrink_state()}.
+shrink_number(Number, Low, High, State) ->
+    proper_shrink:number_shrinker(Number, Low, High, State).
 
 %% @doc When a shrinker is in the middle of a number: the value it offered last, the
 %% step to the next one, and how many steps may still follow.
