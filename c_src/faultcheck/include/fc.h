@@ -24,8 +24,11 @@
 #include "fc_context.h"
 #include "fc_fault.h"
 #include "fc_list.h"
+#include "fc_named.h"
 #include "fc_probe.h"
 #include "fc_record.h"
+#include "fc_resolve.h"
+#include "fc_snapshot.h"
 #include "fc_trigger.h"
 
 #endif

@@ -51,9 +51,11 @@ FC_API int fc_num_active(fc_context *ctx, const char *id);
 typedef struct {
     const unsigned char *state; /* points to 0 while the probe is idle */
     void *probe;
+    fc_context *context; /* NULL: the default one */
 } fc_handle;
 
-/* What the macros call when the probe is not idle, or not known yet. Results as fc_probe_. */
+/* What the macros, and the probes of fc_resolve.h, call when the probe is not idle, or not known
+ * yet. id is only read in a handle that is not resolved. Results as fc_probe_. */
 FC_API int fc_handle_f32(fc_handle *handle, const char *id, float *value);
 FC_API int fc_handle_f64(fc_handle *handle, const char *id, double *value);
 FC_API int fc_handle_i8(fc_handle *handle, const char *id, int8_t *value);
@@ -72,7 +74,7 @@ FC_API int fc_handle_bool(fc_handle *handle, const char *id, bool *value);
 static const unsigned char fc_handle_new_ __attribute__((unused)) = 1;
 #define FC_PROBE_WITH_(function, id, value)                                                        \
     do {                                                                                           \
-        static fc_handle fc_handle_ = {&fc_handle_new_, NULL};                                     \
+        static fc_handle fc_handle_ = {&fc_handle_new_, NULL, NULL};                               \
         const unsigned char *fc_state_ = __atomic_load_n(&fc_handle_.state, __ATOMIC_RELAXED);     \
         if (__builtin_expect(__atomic_load_n(fc_state_, __ATOMIC_RELAXED) != 0, 0))                \
             function(&fc_handle_, "" id "", value);                                                \
