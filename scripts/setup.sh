@@ -40,6 +40,7 @@ test    cmd:clang-format         clang-format
 test    cmd:shellcheck           shellcheck
 test    cmd:dwz                  dwz
 test    cmd:git                  git
+test    cmd:python3              python3
 coverage cmd:lcov                lcov
 TABLE
 }

@@ -33,24 +33,32 @@ applications() ->
         File <- filelib:wildcard(Pattern)
     ].
 
-compile(_, [], _) ->
-    {error, "there is no project here: neither src/NAME.app.src nor apps/*/src/NAME.app.src"};
+compile(_, [], Dirs) ->
+    %% Nothing that rebar3 would build: properties alone, over C code.
+    case places([], Dirs) of
+        [] ->
+            {error, text("there is nothing to test here: no Erlang file in ~ts, and neither "
+                         "src/NAME.app.src nor apps/*/src/NAME.app.src (faultcheck new DIR makes "
+                         "a project)", [lists:join(" or ", [D ++ "/" || D <- Dirs])])};
+        _ ->
+            directories(places([], Dirs), [])
+    end;
 compile(false, Apps, Dirs) ->
-    first_error([
-        fun() -> directory(Sources, Beams, options(Apps)) end
-     || {Sources, Beams} <- sources(Apps) ++ places(Apps, Dirs)
-    ]);
+    directories(sources(Apps) ++ places(Apps, Dirs), Apps);
 compile(Rebar, Apps, Dirs) ->
     case command(Rebar, ["as", "test", "compile"]) of
         {0, _} ->
             Others = [Dir || Dir <- Dirs, Dir =/= "test"],
-            first_error([
-                fun() -> directory(Sources, Beams, options(Apps)) end
-             || {Sources, Beams} <- places(Apps, Others)
-            ]);
+            directories(places(Apps, Others), Apps);
         {_, Output} ->
             {error, "rebar3 as test compile failed:\n" ++ string:trim(Output)}
     end.
+
+directories(Places, Apps) ->
+    first_error([
+        fun() -> directory(Sources, Beams, options(Apps)) end
+     || {Sources, Beams} <- Places
+    ]).
 
 first_error([]) ->
     ok;
