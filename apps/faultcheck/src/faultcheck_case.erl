@@ -259,6 +259,8 @@ with_commands([], _Commands) ->
 lines(CounterExample) ->
     lists:append([value_lines(Value) || Value <- CounterExample]).
 
+value_lines({parallel, _, [_ | _], _} = Case) ->
+    [text("~ts", [Line]) || Line <- faultcheck_parallel:lines(Case)];
 value_lines(Value) ->
     case is_commands(Value) of
         true -> [text("~ts", [Line]) || Line <- faultcheck_pretty:commands(Value)];

@@ -6,7 +6,7 @@
 %% command of the same name was kept: then it uses that one's result instead. Nothing is run.
 -module(faultcheck_repair).
 
--export([repair/2, repair/4, names/1, renumber/2, state_before/3]).
+-export([repair/2, repair/4, names/1, renumber/2, state_before/3, variables/1]).
 -export_type([names/0]).
 
 %% Which command set a variable, also for commands that are gone by now.
@@ -71,7 +71,7 @@ keep({set, {var, N} = Var, {call, _, Name, Args}} = Command,
 
 %% New variables for those whose commands are gone; undefined when there is none to take.
 replacements(Args, #repair{names = Names, latest = Latest, kept = Kept}) ->
-    Gone = [N || N <- variables(Args, []), not is_map_key(N, Kept)],
+    Gone = [N || N <- variables(Args), not is_map_key(N, Kept)],
     lists:foldl(fun(_, undefined) ->
                         undefined;
                    (N, Changes) ->
@@ -82,6 +82,10 @@ replacements(Args, #repair{names = Names, latest = Latest, kept = Kept}) ->
                                 undefined
                         end
                 end, #{}, Gone).
+
+%% @doc The variables in a term.
+-spec variables(term()) -> [pos_integer()].
+variables(Term) -> variables(Term, []).
 
 variables({var, N}, Acc) when is_integer(N) -> [N | Acc];
 variables([Head | Tail], Acc) -> variables(Tail, variables(Head, Acc));

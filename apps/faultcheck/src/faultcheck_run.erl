@@ -4,7 +4,7 @@
 %% OTP 24 no longer has, so that an exception in a command would end the whole run.
 -module(faultcheck_run).
 
--export([commands/3, failure/1, last/0]).
+-export([commands/3, failure/1, last/0, evaluate/2, attempt/1]).
 -export_type([history/0, result/0, run/0, exception/0]).
 
 -type exception() :: {exception, error | exit | throw, Reason :: term(), Stack :: list()}.
@@ -93,6 +93,8 @@ advance(N, Name, Args, Result, {ok, NextState}, #run{env = Env} = Run) ->
 advance(_N, _Name, _Args, _Result, Exception, Run) ->
     {{next_state, Exception}, Run}.
 
+%% @doc What a function gives, or its exception.
+-spec attempt(fun(() -> Value)) -> {ok, Value} | exception().
 attempt(Fun) ->
     try
         {ok, Fun()}
@@ -100,8 +102,9 @@ attempt(Fun) ->
         Class:Reason:Stack -> {exception, Class, Reason, Stack}
     end.
 
-%% Puts values in the place of variables. The symbolic calls that PropEr's own generators
+%% @doc Puts values in the place of variables. The symbolic calls that PropEr's own generators
 %% make inside arguments are evaluated too.
+-spec evaluate(term(), #{term() => term()}) -> term().
 evaluate({var, Name} = Var, Env) ->
     case Env of
         #{Name := Value} -> Value;
