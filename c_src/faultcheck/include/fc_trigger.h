@@ -46,6 +46,11 @@ FC_API int fc_trigger_none(fc_context *ctx, fc_fault_id fault);
 /* A disabled fault injects nothing and its triggers stand still. */
 FC_API int fc_enable(fc_context *ctx, fc_fault_id fault, bool enabled);
 
+/* Start the fault's random stream anew from a seed of its own, which alone decides it: neither the
+ * context's seed nor the identifier nor the order of arming do. A later fc_seed or fc_reset takes
+ * that back. */
+FC_API int fc_seed_fault(fc_context *ctx, fc_fault_id fault, uint64_t seed);
+
 FC_API int fc_remove(fc_context *ctx, fc_fault_id fault);
 
 #ifdef __cplusplus

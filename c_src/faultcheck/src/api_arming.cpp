@@ -1,4 +1,4 @@
-// Finding, enabling and removing faults.
+// Finding, enabling, seeding and removing faults.
 #include "arming.h"
 
 extern "C" {
@@ -17,6 +17,10 @@ void fc_remove_all_probe_faults(fc_context *ctx) {
 
 int fc_enable(fc_context *ctx, fc_fault_id fault, bool enabled) {
     return fc::enable_fault(fc::context_of(ctx), fault, enabled);
+}
+
+int fc_seed_fault(fc_context *ctx, fc_fault_id fault, uint64_t seed) {
+    return fc::seed_fault(fc::context_of(ctx), fault, seed);
 }
 
 int fc_remove(fc_context *ctx, fc_fault_id fault) {

@@ -360,6 +360,17 @@ int enable_fault(fc_context &context, fc_fault_id id, bool enabled) {
     return found ? FC_OK : report_no_fault(context, id);
 }
 
+int seed_fault(fc_context &context, fc_fault_id id, std::uint64_t seed) {
+    bool found;
+    {
+        const Arming armed(context.arming);
+        found = with_fault(context, id, [seed](Fault &fault, FaultRun &) {
+            fault.random = RandomStream(seed, std::string(), 0);
+        });
+    }
+    return found ? FC_OK : report_no_fault(context, id);
+}
+
 int remove_fault(fc_context &context, fc_fault_id id) {
     bool found;
     {

@@ -44,6 +44,7 @@ int change_latest_trigger(fc_context &context, Space space, const char *id,
 // FC_OK, FC_E_NO_FAULT; FC_E_ARG for a fault not met at a get.
 int restrict_fault(fc_context &context, fc_fault_id id, const char *receiver);
 int enable_fault(fc_context &context, fc_fault_id id, bool enabled);
+int seed_fault(fc_context &context, fc_fault_id id, std::uint64_t seed);
 int remove_fault(fc_context &context, fc_fault_id id);
 void remove_probe_faults(fc_context &context, const char *id);
 void remove_all_probe_faults(fc_context &context);

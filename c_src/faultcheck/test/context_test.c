@@ -94,6 +94,25 @@ static void streams_follow_the_reference(void) {
     fc_free(ctx);
 }
 
+/* Expected flips from the same program; the stream starts at seed ^ FNV-1a-64 of nothing. */
+static void a_fault_may_have_a_seed_of_its_own(void) {
+    const int expected[6] = {2, 27, 22, 12, 21, 26};
+    fc_context *ctx = fc_new(NULL);
+    errors_start(ctx);
+    fc_add_bitflip_random(ctx, "p");
+    fc_remove_probe_faults(ctx, "p");
+    for (int at = 0; at < 2; at++) {
+        const char *id = at == 0 ? "p" : "q";
+        CHECK_INT(fc_seed_fault(ctx, fc_add_bitflip_random(ctx, id), 4711), FC_OK);
+        for (int call = 0; call < 6; call++)
+            CHECK_INT(probe(ctx, id, 0), (int32_t)(1u << expected[call]));
+    }
+    CHECK_NO_ERROR();
+    CHECK_INT(fc_seed_fault(ctx, 99, 1), FC_E_NO_FAULT);
+    CHECK_ERROR(FC_E_NO_FAULT, "99");
+    fc_free(ctx);
+}
+
 static void a_stream_advances_on_affected_calls_only(void) {
     fc_context *a = fc_new(NULL), *b = fc_new(NULL);
     fc_trigger_after(a, fc_add_bitflip_random(a, "p"), 7);
@@ -216,6 +235,7 @@ int main(void) {
     options_are_checked();
     reset_is_the_state_after_new();
     streams_follow_the_reference();
+    a_fault_may_have_a_seed_of_its_own();
     a_stream_advances_on_affected_calls_only();
     triggers_take_any_fault_by_id();
     each_receiver_has_its_own_queue_and_triggers();
