@@ -22,7 +22,7 @@ statuses() ->
     [?assert(lists:member(wrong_crc, reached(bit_flips, C))) || C <- [thesis, recommended]].
 
 table() ->
-    File = "/tmp/airbag_coverage_" ++ os:getpid() ++ ".md",
+    File = cb_files:fresh_name("airbag_coverage", ".md"),
     Library = airbag_sut:library(),
     try
         [ok = airbag_coverage:run(C, Library, File) || C <- airbag_coverage:classes()],

@@ -46,7 +46,7 @@ recommended() ->
     ).
 
 resumed() ->
-    File = "/tmp/airbag_exhaustive_" ++ os:getpid(),
+    File = cb_files:fresh_name("airbag_exhaustive", ""),
     try
         Options = #{state_file => File, chunk => 16},
         {stopped, #{done := Done}} =

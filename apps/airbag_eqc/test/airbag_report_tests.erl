@@ -6,7 +6,7 @@ report_test_() ->
         {"a small report is complete", {timeout, 120, fun report/0}}}.
 
 report() ->
-    Dir = "/tmp/airbag_report_" ++ os:getpid(),
+    Dir = cb_files:fresh_name("airbag_report", ""),
     Settings = (airbag_report:settings())#{
         seeds => 1,
         tests => 84,

@@ -4,23 +4,6 @@
 the_library_is_found_in_the_clone_test() ->
     ?assert(filelib:is_regular(airbag_sut:library())).
 
-a_directory_that_is_named_is_the_only_one_searched_test() ->
-    Before = os:getenv("FAULTCHECK_LIB_DIR"),
-    true = os:putenv("FAULTCHECK_LIB_DIR", "/nowhere"),
-    try
-        {cb, {load, "libairbag.so", {dlerror, Line}}} =
-            try airbag_sut:library() catch error:Reason -> Reason end,
-        ?assertEqual(
-            <<"not in /nowhere; run `make native` or set FAULTCHECK_LIB_DIR to its directory">>,
-            Line
-        )
-    after
-        restore(Before)
-    end.
-
-restore(false) -> os:unsetenv("FAULTCHECK_LIB_DIR");
-restore(Value) -> os:putenv("FAULTCHECK_LIB_DIR", Value).
-
 sut_test_() ->
     {setup, fun airbag_test_sut:port/0, fun(_) -> ok end, [
         {"a test starts with nothing of the one before", fun resets/0},

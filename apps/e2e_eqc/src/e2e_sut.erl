@@ -334,27 +334,5 @@ without(_, Number) ->
 library() ->
     case application:get_env(e2e_eqc, library) of
         {ok, File} -> File;
-        undefined -> search()
+        undefined -> cb_library:find(?LIBRARY, ?MODULE)
     end.
-
-search() ->
-    Places = places(os:getenv("FAULTCHECK_LIB_DIR")),
-    case [File || Dir <- Places, File <- [filename:join(Dir, ?LIBRARY)], filelib:is_file(File)] of
-        [File | _] -> File;
-        [] -> error({cb, {load, ?LIBRARY, {dlerror, nowhere(Places)}}})
-    end.
-
-places(Dir) when is_list(Dir), Dir =/= "" ->
-    [Dir];
-places(_) ->
-    %% PREFIX/lib/faultcheck/e2e_eqc-VERSION, or _build/PROFILE/lib/e2e_eqc
-    App = filename:dirname(filename:dirname(filename:absname(code:which(?MODULE)))),
-    Up = filename:dirname(filename:dirname(App)),
-    [Up, filename:join([filename:dirname(Up), "native", "lib"]), "_build/native/lib"].
-
-nowhere(Places) ->
-    unicode:characters_to_binary([
-        "not in ",
-        lists:join(", ", Places),
-        "; run `make native` or set FAULTCHECK_LIB_DIR to its directory"
-    ]).

@@ -4,7 +4,7 @@
 report_test_() -> {"a small report is complete", {timeout, 120, fun report/0}}.
 
 report() ->
-    Dir = "/tmp/e2e_report_" ++ os:getpid(),
+    Dir = cb_files:fresh_name("e2e_report", ""),
     try
         ok = e2e_report:run(Dir, #{trials => 60, seed => 1, flips => 4, long => false}),
         {ok, Text} = file:read_file(filename:join(Dir, "e2e.md")),

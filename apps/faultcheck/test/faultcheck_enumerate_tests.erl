@@ -10,7 +10,7 @@ check(N, _Context) ->
 expected_found() -> lists:seq(7, 994, 7).
 
 in_temporary_file(Test) ->
-    Dir = filename:join("/tmp", "faultcheck_enumerate_" ++ os:getpid()),
+    Dir = cb_files:fresh_name("faultcheck_enumerate", ""),
     File = filename:join(Dir, integer_to_list(erlang:unique_integer([positive]))),
     try
         Test(File)
@@ -131,8 +131,9 @@ a_damaged_state_file_is_refused_with_the_line_test() ->
     end).
 
 a_directory_as_state_file_is_an_error_test() ->
-    {error, Reason} = faultcheck_enumerate:run(space(), fun check/2, #{state_file => "/tmp"}),
-    ?assertEqual({state_file, "/tmp", eisdir}, Reason).
+    Dir = cb_files:temporary_dir(),
+    {error, Reason} = faultcheck_enumerate:run(space(), fun check/2, #{state_file => Dir}),
+    ?assertEqual({state_file, Dir, eisdir}, Reason).
 
 a_check_that_crashes_is_reported_with_its_item_test() ->
     Check = fun

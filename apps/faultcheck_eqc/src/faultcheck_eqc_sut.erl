@@ -7,7 +7,7 @@
 
 -export([prepare/0, stop/0, add/3, trigger/3, latest/2, enable/3, remove/2, remove_all/2]).
 -export([restrict/3, probe/4, num_active/2, put/3, get/4, subscribe/3, clear/2, depth/3]).
--export([advance/2, seed/2, reset/1, errors/1, lib/0, context/1, library_dir/0]).
+-export([advance/2, seed/2, reset/1, errors/1, lib/0, context/1]).
 -export([legacy_add/2, legacy_trigger/2, legacy_probe/3]).
 -export_type([context/0]).
 
@@ -41,7 +41,7 @@ instance() ->
 
 start() ->
     Options = [
-        {so, filename:join(library_dir(), "libfaultcheck.so")},
+        {so, cb_library:find("libfaultcheck.so", ?MODULE)},
         {transport, nif},
         {reset, {calls, [{fc_reset, [null]}]}},
         {module, false}
@@ -69,19 +69,6 @@ quiet(Lib, Contexts) ->
     Quiet = cb:address_of(Lib, fc_default),
     _ = cb:call_batch(Lib, [{fc_set_error_callback, [C, Quiet, null]} || C <- Contexts]),
     ok.
-
-%% @doc The directory of the library under test.
--spec library_dir() -> file:filename().
-library_dir() ->
-    case os:getenv("FAULTCHECK_LIB_DIR") of
-        Dir when is_list(Dir), Dir =/= "" ->
-            Dir;
-        _ ->
-            %% _build/PROFILE/lib/faultcheck_eqc
-            App = filename:dirname(filename:dirname(filename:absname(code:which(?MODULE)))),
-            Build = filename:dirname(filename:dirname(filename:dirname(App))),
-            filename:join([Build, "native", "lib"])
-    end.
 
 %% @doc Ends the instance.
 -spec stop() -> ok.
