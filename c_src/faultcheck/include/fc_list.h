@@ -56,6 +56,14 @@ FC_API int fc_dump_json(fc_context *ctx, fc_line_fn line, void *user);
  * Armed, monitored and recorded identifiers are always counted. */
 FC_API void fc_count_calls(fc_context *ctx, bool on);
 
+/* A number that is another one after any fault was armed or removed, counting or recording
+ * switched, or the context reset: a program with many identifiers need not ask each of them at
+ * every step, but calls fc_list again when this number has changed. One load. */
+FC_API uint64_t fc_change_count(fc_context *ctx);
+
+/* True while calls are counted or recorded, so that also idle identifiers want to be called. */
+FC_API bool fc_is_watching(fc_context *ctx);
+
 #ifdef __cplusplus
 }
 #endif

@@ -79,4 +79,14 @@ void fc_count_calls(fc_context *ctx, bool on) {
     context.watch();
 }
 
+uint64_t fc_change_count(fc_context *ctx) {
+    return fc::context_of(ctx).change_count.load(std::memory_order_acquire);
+}
+
+bool fc_is_watching(fc_context *ctx) {
+    fc_context &context = fc::context_of(ctx);
+    const std::lock_guard<std::mutex> armed(context.arming);
+    return context.counting || context.recording.load(std::memory_order_relaxed);
+}
+
 } // extern "C"

@@ -39,6 +39,7 @@ template <class Record> void start_fault(fc_context &context, Record &record, Fa
 template <class Record> fc_fault_id finish_adding(fc_context &context, Record &record) {
     record.latest_refused = false;
     ++record.next_ordinal;
+    context.note_change();
     return context.next_fault++;
 }
 
@@ -176,6 +177,7 @@ template <class Record> void disarm(fc_context &context, Record &record) {
     for (const Fault &fault : record.faults)
         context.faults.erase(fault.id);
     record.faults.clear();
+    context.note_change();
 }
 
 void disarm_probe(fc_context &context, Probe &probe) {
@@ -204,6 +206,7 @@ void remove_locked(fc_context &context, fc_fault_id id, const FaultPlace &place)
         place.channel->note_faults();
     }
     context.faults.erase(id);
+    context.note_change();
 }
 
 } // namespace

@@ -90,6 +90,7 @@ void fc_context::reset() {
     seed = first_seed;
     clock.reset();
     error_count.store(0, std::memory_order_relaxed);
+    note_change();
 }
 
 void fc_context::reseed(std::uint64_t new_seed) {
@@ -111,6 +112,7 @@ void fc_context::watch() {
         const std::lock_guard<fc::SpinLock> hold(probe->lock);
         probe->watch(watched);
     }
+    note_change();
 }
 
 extern "C" {

@@ -35,6 +35,8 @@ struct fc_context {
     fc::NameTable<fc::Channel> channels;
     std::atomic<std::uint64_t> error_count{0};
     fc::Clock clock;
+    // Goes up with every change of what is armed, counted or recorded.
+    std::atomic<std::uint64_t> change_count{0};
     fc::Recorder recorder;
     std::atomic<bool> recording{false};
 
@@ -59,6 +61,9 @@ struct fc_context {
     void reseed(std::uint64_t new_seed);
     // After a change of recording or counting: lets every probe know.
     void watch();
+    void note_change() {
+        change_count.fetch_add(1, std::memory_order_release);
+    }
 
   private:
     mutable fc::SpinLock callback_lock_;

@@ -131,12 +131,49 @@ static void channel_faults_are_listed_per_receiver(void) {
     CHECK(strcmp(faults[3].model, "block_put") == 0);
 }
 
+static uint64_t changes;
+
+static bool has_changed(void) {
+    uint64_t before = changes;
+    changes = fc_change_count(ctx);
+    return changes != before;
+}
+
+static void changes_are_counted(void) {
+    double value = 1;
+    fc_reset(ctx);
+    CHECK(has_changed());
+    CHECK(!fc_is_watching(ctx));
+    fc_fault_id offset = fc_add_offset(ctx, "p", 1);
+    CHECK(has_changed());
+    fc_probe_f64(ctx, "p", &value);
+    fc_probe_f64(ctx, "q", &value);
+    CHECK(!has_changed());
+    fc_remove(ctx, offset);
+    CHECK(has_changed());
+    fc_channel_add_drop(ctx, "c", 1);
+    CHECK(has_changed());
+    fc_channel_remove_faults(ctx, "c");
+    CHECK(has_changed());
+    fc_count_calls(ctx, true);
+    CHECK(has_changed());
+    CHECK(fc_is_watching(ctx));
+    fc_count_calls(ctx, false);
+    CHECK(!fc_is_watching(ctx));
+    fc_record_start(ctx, NULL);
+    CHECK(fc_is_watching(ctx));
+    CHECK(has_changed());
+    fc_record_stop(ctx);
+    CHECK(has_changed());
+}
+
 int main(void) {
     ctx = fc_new(NULL);
     everything_seen_is_listed_by_name();
     idle_calls_are_counted_on_request();
     the_state_of_a_fault_is_told();
     channel_faults_are_listed_per_receiver();
+    changes_are_counted();
     fc_free(ctx);
     return CHECK_RESULT();
 }
