@@ -67,6 +67,7 @@ FC_API int fc_handle_u16(fc_handle *handle, const char *id, uint16_t *value);
 FC_API int fc_handle_u32(fc_handle *handle, const char *id, uint32_t *value);
 FC_API int fc_handle_u64(fc_handle *handle, const char *id, uint64_t *value);
 FC_API int fc_handle_bool(fc_handle *handle, const char *id, bool *value);
+FC_API int fc_handle_bytes(fc_handle *handle, const char *id, void *data, size_t len);
 
 #ifdef FC_DISABLE
 #define FC_PROBE_WITH_(function, id, value) ((void)sizeof(value))

@@ -53,6 +53,11 @@ FC_PROBE_AT_(u32, uint32_t)
 FC_PROBE_AT_(u64, uint64_t)
 FC_PROBE_AT_(bool, bool)
 #undef FC_PROBE_AT_
+static inline int fc_probe_bytes_at(fc_handle *handle, void *data, size_t len) {
+    if (__builtin_expect(fc_handle_is_idle(handle), 1))
+        return FC_OK;
+    return fc_handle_bytes(handle, NULL, data, len);
+}
 
 /* ---- Channels ---- */
 

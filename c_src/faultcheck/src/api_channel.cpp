@@ -15,6 +15,16 @@ int report_channel(fc_context &context, int code, const char *channel, const cha
     return report(context, code, format("channel %s: %s", quoted(channel).c_str(), what));
 }
 
+int report_no_data(fc_context &context, const char *channel, const char *consequence) {
+    return report(context, FC_E_ARG,
+                  format("channel %s: data is NULL, %s", quoted(channel).c_str(), consequence));
+}
+
+int report_no_receiver(fc_context &context, const Channel &channel) {
+    return report_channel(context, FC_E_RECEIVER, channel.name.text().c_str(),
+                          "no such receiver is subscribed");
+}
+
 Channel &channel_for_put(fc_context &context, const char *id) {
     const Name name = read_name(id);
     if (Channel *known = context.channels.find(name))
@@ -58,16 +68,50 @@ int with_inputs(fc_context &context, const Channel &channel, const Work &work) {
 
 } // namespace
 
-int channel_put(fc_context &context, const char *channel, const char *data, std::size_t len) {
+int channel_put(fc_context &context, Channel &channel, const char *data, std::size_t len) {
     if (data == nullptr && len > 0)
-        return report_channel(context, FC_E_ARG, channel, "data is NULL, packet not queued");
+        return report_no_data(context, channel.name.text().c_str(), "packet not queued");
     return guarded(context, [&]() -> int {
         Reports reports;
-        Channel &known = channel_for_put(context, channel);
-        const int result = with_inputs(context, known, [&](const CallInputs &inputs) {
-            record_packet(context, known, true, inputs, data, len);
-            return known.put({context, len > 0 ? data : "", len, inputs, reports});
+        const int result = with_inputs(context, channel, [&](const CallInputs &inputs) {
+            record_packet(context, channel, true, inputs, data, len);
+            return channel.put({context, len > 0 ? data : "", len, inputs, reports});
         });
+        if (!reports.empty())
+            reports.deliver(context);
+        return result;
+    });
+}
+
+int channel_put(fc_context &context, const char *channel, const char *data, std::size_t len) {
+    if (data == nullptr && len > 0)
+        return report_no_data(context, channel, "packet not queued");
+    return guarded(context, [&]() -> int {
+        return channel_put(context, channel_for_put(context, channel), data, len);
+    });
+}
+
+int channel_get(fc_context &context, Channel &channel, const char *receiver, char *data,
+                std::size_t capacity, std::size_t *len) {
+    if (data == nullptr && capacity > 0)
+        return report_no_data(context, channel.name.text().c_str(), "no packet taken");
+    return guarded(context, [&]() -> int {
+        Reports reports;
+        const int result = with_inputs(context, channel, [&](const CallInputs &inputs) -> int {
+            const int index = channel.find_receiver(receiver);
+            if (!channel.exists || index < 0)
+                return channel.exists ? FC_E_RECEIVER : 0;
+            std::size_t size = 0;
+            const int taken = channel.get(
+                {context, static_cast<std::size_t>(index), inputs, data, capacity, &size, reports});
+            if (taken == 1)
+                record_packet(context, channel, false, inputs, data, size);
+            if (len != nullptr && (taken == 1 || taken == FC_E_SPACE))
+                *len = size;
+            return taken;
+        });
+        if (result == FC_E_RECEIVER)
+            return report_no_receiver(context, channel);
         if (!reports.empty())
             reports.deliver(context);
         return result;
@@ -77,33 +121,28 @@ int channel_put(fc_context &context, const char *channel, const char *data, std:
 int channel_get(fc_context &context, const char *channel, const char *receiver, char *data,
                 std::size_t capacity, std::size_t *len) {
     if (data == nullptr && capacity > 0)
-        return report_channel(context, FC_E_ARG, channel, "data is NULL, no packet taken");
+        return report_no_data(context, channel, "no packet taken");
     Channel *known = context.channels.find(read_name(channel));
-    if (known == nullptr)
-        return 0;
-    return guarded(context, [&]() -> int {
-        Reports reports;
-        const int result = with_inputs(context, *known, [&](const CallInputs &inputs) -> int {
-            const int index = known->find_receiver(receiver);
-            if (!known->exists || index < 0)
-                return known->exists ? FC_E_RECEIVER : 0;
-            std::size_t size = 0;
-            const int taken = known->get(
-                {context, static_cast<std::size_t>(index), inputs, data, capacity, &size, reports});
-            if (taken == 1)
-                record_packet(context, *known, false, inputs, data, size);
-            if (len != nullptr && (taken == 1 || taken == FC_E_SPACE))
-                *len = size;
-            return taken;
-        });
-        if (result == FC_E_RECEIVER)
-            return report_channel(context, FC_E_RECEIVER, channel,
-                                  "no such receiver is subscribed");
-        if (!reports.empty())
-            reports.deliver(context);
-        return result;
-    });
+    return known == nullptr ? 0 : channel_get(context, *known, receiver, data, capacity, len);
 }
+
+namespace {
+
+// Result as fc_channel_depth.
+std::int64_t depth_of(fc_context &context, const Channel &channel, const char *receiver) {
+    {
+        const Hold hold(context.traffic);
+        if (!channel.exists)
+            return 0;
+        const int index = channel.find_receiver(receiver);
+        if (index >= 0)
+            return static_cast<std::int64_t>(
+                channel.receivers[static_cast<std::size_t>(index)].queue.depth());
+    }
+    return report_no_receiver(context, channel);
+}
+
+} // namespace
 
 } // namespace fc
 
@@ -144,18 +183,36 @@ void fc_channel_clear(fc_context *ctx, const char *channel) {
 int64_t fc_channel_depth(fc_context *ctx, const char *channel, const char *receiver) {
     fc_context &context = context_of(ctx);
     Channel *known = context.channels.find(fc::read_name(channel));
-    if (known == nullptr)
-        return 0;
-    {
-        const fc::Hold hold(context.traffic);
-        if (!known->exists)
-            return 0;
-        const int index = known->find_receiver(receiver);
-        if (index >= 0)
-            return static_cast<int64_t>(
-                known->receivers[static_cast<std::size_t>(index)].queue.depth());
-    }
-    return fc::report_channel(context, FC_E_RECEIVER, channel, "no such receiver is subscribed");
+    return known == nullptr ? 0 : fc::depth_of(context, *known, receiver);
+}
+
+int fc_resolve_channel(fc_context *ctx, const char *channel, fc_channel_handle *handle) {
+    fc_context &context = context_of(ctx);
+    if (handle == nullptr)
+        return fc::report_channel(context, FC_E_ARG, channel,
+                                  "the handle is NULL, channel not resolved");
+    return fc::guarded(context, [&]() -> int {
+        const std::lock_guard<std::mutex> armed(context.arming);
+        Channel &known = context.channel(fc::read_name(channel));
+        static_assert(sizeof known.state == 1);
+        *handle = {reinterpret_cast<const unsigned char *>(&known.state), &known, &context};
+        return FC_OK;
+    });
+}
+
+int fc_channel_put_at(const fc_channel_handle *handle, const void *data, size_t len) {
+    return fc::channel_put(*handle->context, *static_cast<Channel *>(handle->channel),
+                           static_cast<const char *>(data), len);
+}
+
+int fc_channel_get_at(const fc_channel_handle *handle, const char *receiver, void *data,
+                      size_t capacity, size_t *len) {
+    return fc::channel_get(*handle->context, *static_cast<Channel *>(handle->channel), receiver,
+                           static_cast<char *>(data), capacity, len);
+}
+
+int64_t fc_channel_depth_at(const fc_channel_handle *handle, const char *receiver) {
+    return fc::depth_of(*handle->context, *static_cast<Channel *>(handle->channel), receiver);
 }
 
 } // extern "C"

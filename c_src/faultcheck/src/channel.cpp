@@ -58,6 +58,7 @@ int Channel::put(const PutCall &call) {
                                       : put_directly(*this, call, 0, Hiding().until_ns);
     exists = true;
     ++puts;
+    note_queues();
     return result;
 }
 
@@ -66,6 +67,7 @@ int Channel::get(const GetCall &call) {
     if (result >= 0) {
         ++gets;
         ++receivers[call.receiver].gets;
+        note_queues();
     }
     return result;
 }
@@ -83,11 +85,20 @@ void Channel::note_faults() {
             wants_inputs = true;
         has_put_faults = has_put_faults || fault.model.met_at_put();
     }
+    set_state(kArmed, !faults.empty());
+}
+
+void Channel::note_queues() {
+    bool queued = false;
+    for (const Receiver &receiver : receivers)
+        queued = queued || receiver.queue.entries() > 0;
+    set_state(kQueued, queued);
 }
 
 void Channel::clear_queues() {
     for (Receiver &receiver : receivers)
         receiver.queue.clear();
+    note_queues();
 }
 
 void Channel::reset() {
@@ -98,6 +109,8 @@ void Channel::reset() {
     receivers[0].subscribed = receivers[0].has_last = false;
     receivers[0].gets = 0;
     receivers[0].queue.clear();
+    note_queues();
+    watch(false);
     puts = gets = 0;
     next_ordinal = 0;
 }

@@ -8,6 +8,7 @@
 #include "recorder.h"
 #include "report.h"
 
+#include <atomic>
 #include <cstdint>
 
 namespace fc {
@@ -49,11 +50,21 @@ struct PutCall {
     Reports &reports;
 };
 
-// Everything but the name is under the context's traffic lock.
+// Everything but the name is written under the context's traffic lock, and read under it save the
+// state.
 struct Channel {
     explicit Channel(const Name &identifier) : name(identifier), receivers(1) {}
 
     StoredName name;
+
+    // Why a packet cannot be handed over past the channel; 0 for an idle one.
+    enum State : std::uint8_t {
+        kArmed = 1,
+        kQueued = 2,
+        kWatched = 4, // packets are recorded or counted
+    };
+    std::atomic<std::uint8_t> state{0};
+
     bool exists = false; // got a packet, a fault or a receiver since fc_new or fc_reset
     bool has_subscriptions = false;
     bool wants_inputs = false;   // a fault or a delayed packet asks for the time or a predicate
@@ -80,8 +91,21 @@ struct Channel {
     int get(const GetCall &call);
     // After any change of the faults.
     void note_faults();
+    // After any change of the queues.
+    void note_queues();
+    void watch(bool on) {
+        set_state(kWatched, on);
+    }
     void clear_queues();
     void reset();
+
+  private:
+    void set_state(State flag, bool on) {
+        const std::uint8_t before = state.load(std::memory_order_relaxed);
+        const int after = on ? before | flag : before & ~flag;
+        if (after != before)
+            state.store(static_cast<std::uint8_t>(after), std::memory_order_relaxed);
+    }
 };
 
 } // namespace fc

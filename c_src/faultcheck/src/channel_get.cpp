@@ -2,6 +2,7 @@
 
 #include "channel_put.h"
 #include "checkpoint.h"
+#include "context.h"
 #include "get_fault.h"
 
 namespace fc {
@@ -29,6 +30,14 @@ void walk_faults(Channel &channel, const GetCall &call, Transit &transit, Report
     }
 }
 
+// The channels that faults may have taken a packet of.
+void note_sources(const Channel &channel, fc_context &context) {
+    for (const ChannelFault &fault : channel.faults)
+        if (fault.model.kind == ChannelModelKind::masquerade)
+            if (Channel *source = masquerade_source(context, fault.model))
+                source->note_queues();
+}
+
 } // namespace
 
 int need_space(const Channel &channel, std::size_t needed, const GetCall &call) {
@@ -53,6 +62,8 @@ int get_through_faults(Channel &channel, const GetCall &call) {
         }
         transit.reserve_for_commit();
         transit.commit();
+        if (channel.masquerades)
+            note_sources(channel, call.context);
         call.reports = std::move(met);
         if (!transit.present)
             return 0;

@@ -54,6 +54,7 @@ class PutPlan {
         if (target_ != nullptr && target_ != &channel_) {
             put_directly(*target_, call_, delay_gets_, until_ns_);
             target_->exists = true;
+            target_->note_queues();
             if (until_ns_ != Hiding().until_ns)
                 target_->delays_by_time = target_->wants_inputs = true;
             return;

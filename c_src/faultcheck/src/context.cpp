@@ -68,8 +68,11 @@ Probe &fc_context::probe(const fc::Name &name) {
 }
 
 Channel &fc_context::channel(const fc::Name &name) {
-    Channel *known = channels.find(name);
-    return known != nullptr ? *known : channels.add(name);
+    if (Channel *known = channels.find(name))
+        return *known;
+    Channel &added = channels.add(name);
+    added.watch(watched());
+    return added;
 }
 
 void fc_context::reset() {
@@ -106,11 +109,19 @@ void fc_context::reseed(std::uint64_t new_seed) {
             fault.random = fc::RandomStream(seed, channel->name.text(), fault.ordinal);
 }
 
+bool fc_context::watched() const {
+    return counting || recording.load(std::memory_order_relaxed);
+}
+
 void fc_context::watch() {
-    const bool watched = counting || recording.load(std::memory_order_relaxed);
     for (const auto &probe : probes.all()) {
         const std::lock_guard<fc::SpinLock> hold(probe->lock);
-        probe->watch(watched);
+        probe->watch(watched());
+    }
+    {
+        const std::lock_guard<fc::SpinLock> hold(traffic);
+        for (const auto &channel : channels.all())
+            channel->watch(watched());
     }
     note_change();
 }

@@ -59,7 +59,9 @@ struct fc_context {
     fc::Channel &channel(const fc::Name &name);
     void reset();
     void reseed(std::uint64_t new_seed);
-    // After a change of recording or counting: lets every probe know.
+    // Calls are recorded or counted.
+    bool watched() const;
+    // After a change of that: lets every probe and channel know.
     void watch();
     void note_change() {
         change_count.fetch_add(1, std::memory_order_release);

@@ -52,8 +52,7 @@ int insert(const ChannelModel &model, std::uint64_t *budget, Transit &transit) {
 }
 
 int masquerade(const GetFault &fault, Transit &transit) {
-    const std::string &from = fault.fault.model.text;
-    Channel *other = fault.call.context.channels.find(make_name(from.data(), from.size()));
+    Channel *other = masquerade_source(fault.call.context, fault.fault.model);
     if (other == nullptr || !other->exists)
         return FC_OK;
     const int same = other->find_receiver(fault.receiver.name.c_str());
@@ -73,6 +72,10 @@ int repeat_last(const Receiver &receiver, Transit &transit) {
 bool works_without_packet(ChannelModelKind kind) {
     return kind == ChannelModelKind::insert || kind == ChannelModelKind::masquerade ||
            kind == ChannelModelKind::repeat_last;
+}
+
+Channel *masquerade_source(fc_context &context, const ChannelModel &model) {
+    return context.channels.find(make_name(model.text.data(), model.text.size()));
 }
 
 int apply_at_get(const GetFault &fault, Transit &transit) {

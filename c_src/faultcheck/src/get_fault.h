@@ -16,6 +16,9 @@ struct GetFault {
 // True for a fault that can do something although there is no packet to deliver.
 bool works_without_packet(ChannelModelKind kind);
 
+// The channel a MASQUERADE takes packets of, or null when there is none of that name.
+Channel *masquerade_source(fc_context &context, const ChannelModel &model);
+
 // FC_OK, or why the fault was skipped.
 int apply_at_get(const GetFault &fault, Transit &transit);
 

@@ -164,7 +164,7 @@ Probe &see(fc_context &context, Probe *known, const char *id, fc_type type) {
     const std::lock_guard<std::mutex> hold(context.arming);
     Probe &probe = known != nullptr ? *known : context.probe(read_name(id));
     probe.listed = true;
-    if (context.counting || context.recording.load(std::memory_order_relaxed)) {
+    if (context.watched()) {
         const std::lock_guard<SpinLock> hold_probe(probe.lock);
         probe.watch(true);
     }
