@@ -4,8 +4,8 @@
 #
 #   test/walk.sh DOCUMENT
 #
-# A block that begins with ```console holds commands after "$ ", each followed by what it prints; a line "..." stands for
-# any lines, "..." within a line for any text. A block that begins with ```LANGUAGE FILE is written to FILE.
+# A block that begins with ```console holds commands after "$ ", each followed by what it prints; a line "..." stands
+# for any lines, "..." within a line for any text. A block that begins with ```LANGUAGE FILE is written to FILE.
 set -uo pipefail
 document=${1:?usage: test/walk.sh DOCUMENT}
 

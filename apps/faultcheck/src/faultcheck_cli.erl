@@ -14,18 +14,28 @@ main() ->
     erlang:halt(run(init:get_plain_arguments())).
 
 -spec run([string()]) -> 0..255.
+run(["help", Command]) ->
+    run([Command, "--help"]);
 run([Help | _]) when Help =:= "help"; Help =:= "--help"; Help =:= "-h" ->
     say("~ts", [usage()], 0);
 run([Version]) when Version =:= "version"; Version =:= "--version" ->
     say("~ts~n", [faultcheck_versions:text(faultcheck_versions:all())], 0);
+run([Command, Help | _]) when Help =:= "--help"; Help =:= "-h" ->
+    case usage(Command) of
+        none -> run([Command]);
+        Text -> say("~ts", [Text], 0)
+    end;
+run(["new", [$- | _] = Option]) ->
+    say("new: unknown option ~ts; what is wanted is the name of a folder to make (see faultcheck "
+        "new --help)~n", [Option], ?USAGE_ERROR);
 run(["new", Dir]) ->
     case faultcheck_project:new(Dir) of
         {ok, Lines} -> say("~ts~n", [lists:join($\n, Lines)], 0);
         {error, Line} -> say("~ts~n", [Line], ?USAGE_ERROR)
     end;
 run(["proper" | Words]) ->
-    case lists:member("--help", Words) of
-        true -> say("Usage: faultcheck proper [options]~n~n~ts", [faultcheck_options:help()], 0);
+    case lists:member("--help", Words) orelse lists:member("-h", Words) of
+        true -> say("~ts", [usage("proper")], 0);
         false -> proper(faultcheck_options:parse(Words))
     end;
 run(["replay", Path]) ->
@@ -39,7 +49,7 @@ run(["report", Path]) ->
 run([Word | _]) ->
     Words = ["new", "proper", "replay", "report", "version", "help"],
     case lists:member(Word, Words) of
-        true -> say("~ts: wrong arguments (see faultcheck --help)~n", [Word], ?USAGE_ERROR);
+        true -> say("~ts: wrong arguments; ~ts~n", [Word, synopsis(Word)], ?USAGE_ERROR);
         false -> unknown(Word, Words)
     end;
 run([]) ->
@@ -52,12 +62,44 @@ unknown(Word, Words) ->
 usage() ->
     "Usage: faultcheck COMMAND\n\n"
     "  new DIR                     make a project: a C file with a bug and a model that finds it\n"
-    "  proper [options]            run the properties of the project here (--help: the options)\n"
+    "  proper [options]            run the properties of the project here\n"
     "  replay CASE [--original]    run a stored case again, each command with its result\n"
     "  report CASE                 print a stored case; its model may add files to it\n"
-    "  version\n\n"
+    "  version                     versions of FaultCheck, PropEr and Erlang/OTP\n"
+    "  COMMAND --help              more on a command\n\n" ++ exit_statuses().
+
+exit_statuses() ->
     "Exit status: 0 passed, 1 a property failed, 2 wrong usage or input, 3 the code under test\n"
     "could not be built or started, 4 only flaky failures, 130 interrupted.\n".
+
+usage("new") ->
+    synopsis("new") ++ "\n\n"
+    "Makes the folder DIR with a small C file that has a bug, a model that finds it, and what\n"
+    "rebar3 wants of a project. A folder that holds anything is left as it is.\n";
+usage("proper") ->
+    synopsis("proper") ++ "\n\n"
+    "Compiles the project in the current folder and tests the properties prop_*/0 of the modules\n"
+    "prop_* in test/. A failure is shrunk and stored as a folder in cases/ (FAULTCHECK_CASES names\n"
+    "another place).\n\n" ++ faultcheck_options:help() ++ "\n" ++ exit_statuses();
+usage("replay") ->
+    synopsis("replay") ++ "\n\n"
+    "Runs a stored case again and prints each command with its result. CASE is a folder below\n"
+    "cases/, or a case.json. The project in the current folder is compiled first.\n\n"
+    "  --original    the failure as it was found, before it was shrunk\n\n" ++ exit_statuses();
+usage("report") ->
+    synopsis("report") ++ "\n\n"
+    "Prints a stored case. A model that exports report/2 may add files to its folder.\n";
+usage("version") ->
+    synopsis("version") ++ "\n";
+usage(_) ->
+    none.
+
+synopsis("new") -> "Usage: faultcheck new DIR";
+synopsis("proper") -> "Usage: faultcheck proper [options]";
+synopsis("replay") -> "Usage: faultcheck replay CASE [--original]";
+synopsis("report") -> "Usage: faultcheck report CASE";
+synopsis("version") -> "Usage: faultcheck version";
+synopsis("help") -> "Usage: faultcheck --help".
 
 say(Format, Args, Status) ->
     io:format(Format, Args),
@@ -85,7 +127,7 @@ stored(Path, Fun) ->
     end.
 
 replay({Case, _} = What) ->
-    built(options(Case), fun(Request) -> faultcheck_runner:replay(What, Request) end).
+    built(options(Case), fun(Request) -> faultcheck_replay:replay(What, Request) end).
 
 %% The test directories are those of the recorded run.
 options(#{options := Words}) ->
@@ -100,4 +142,4 @@ report(Case, Path) ->
             true -> Path;
             false -> filename:dirname(Path)
         end,
-    built(options(Case), fun(Request) -> faultcheck_runner:report(Case, Dir, Request) end).
+    built(options(Case), fun(Request) -> faultcheck_replay:report(Case, Dir, Request) end).

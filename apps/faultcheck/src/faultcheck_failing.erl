@@ -35,7 +35,7 @@ smallest(#{test := Number, size := Size, original := Original} = Failure, First,
 %% The values were generated from what the tests before it had found (a targeted search).
 shrunk_in_place(#{test := Number, size := Size}, First, Run) ->
     ok = listen(Run),
-    case faultcheck_testing:again(First, Number, Run) of
+    case faultcheck_testing:again(First, Number, with_confirming(Number, Size, Run)) of
         Passed when Passed =:= true; Passed =:= false ->
             #{notes => ["not shrunk: the test depends on those before it"]};
         {error, Reason} ->
@@ -61,7 +61,7 @@ repeats(Original, #{tell := Tell, fails := false} = Run, Left, Failed) ->
 -spec shrunk(pos_integer(), non_neg_integer(), run()) -> result().
 shrunk(Number, Size, Run) ->
     ok = listen(Run),
-    case faultcheck_testing:single(Number, Size, shrink, Run) of
+    case faultcheck_testing:single(Number, Size, shrink, with_confirming(Number, Size, Run)) of
         true ->
             #{status => flaky, flaky => {0, 1}};
         {error, Reason} ->
@@ -69,6 +69,23 @@ shrunk(Number, Size, Run) ->
         Shrunk ->
             with_shrink(faultcheck_statem:last_shrink(), failure(Number, Size, Shrunk, Run))
     end.
+
+%% PropEr takes the runs that confirm the failure of a command sequence for shrinking steps. A
+%% user who limits the steps does not mean them.
+with_confirming(Number, Size, #{options := Options} = Run) ->
+    case [N || {max_shrinks, N} <- Options] of
+        [] ->
+            Run;
+        _ ->
+            Uncounted = Run#{tests := counters:new(1, [])},
+            case faultcheck_case:commands(faultcheck_testing:values(Number, Size, Uncounted)) of
+                none -> Run;
+                {ok, _} -> Run#{options := [with_confirming(Option) || Option <- Options]}
+            end
+    end.
+
+with_confirming({max_shrinks, N}) -> {max_shrinks, N + ?RERUNS};
+with_confirming(Option) -> Option.
 
 listen(#{tell := Tell}) ->
     ok = faultcheck_statem:reset_shrink(),

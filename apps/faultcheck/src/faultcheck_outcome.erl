@@ -1,7 +1,7 @@
 %% @doc What came of one property: runs its job, judges what happened, stores the case.
 -module(faultcheck_outcome).
 
--export([get/3, keep/4]).
+-export([get/3, keep/4, exit_status/1]).
 -export_type([context/0]).
 
 -type context() :: #{
@@ -136,3 +136,15 @@ new_case({Module, Property}, #{status := Status, shrunk := Shrunk} = Outcome, Co
         reasons => maps:get(reasons, Outcome, []),
         shrink => maps:merge(Shrink, maps:with([flaky], Outcome))
     }.
+
+%% @doc The exit status of the program that had these outcomes.
+-spec exit_status([faultcheck_runner:outcome()]) -> 0 | 1 | 3 | 4.
+exit_status(Outcomes) ->
+    Statuses = [Status || #{status := Status} <- Outcomes],
+    Any = fun(Wanted) -> lists:any(fun(S) -> lists:member(S, Wanted) end, Statuses) end,
+    case {Any([failed, error]), Any([unstarted]), Any([flaky])} of
+        {true, _, _} -> 1;
+        {_, true, _} -> 3;
+        {_, _, true} -> 4;
+        _ -> 0
+    end.

@@ -111,7 +111,7 @@ confirm(0, _Failed, State) ->
 %% A pass does not end this early: the rate is that of all runs.
 confirm(Left, Failed, #state{commands = Commands, side = Side, options = Options} = State) ->
     Runs = maps:get(confirm, Options),
-    offer(Commands, Side, State,
+    offer(Commands, Side, State, State,
           fun(passes, Next) -> confirmed(Left - 1, Failed, Runs, Next);
              ({fails, Kind}, Next) ->
                   confirmed(Left - 1, Failed + 1, Runs, Next#state{kind = common(Kind, Next)})
@@ -234,7 +234,8 @@ attempt(Commands, Side, #state{mod = Mod, names = Names, seen = Seen} = State, C
         false ->
             case budget(State) of
                 none ->
-                    offer(Legal, LegalSide, State#state{seen = Seen#{Legal => true}},
+                    If = State#state{commands = Legal, accepted = State#state.accepted + 1},
+                    offer(Legal, LegalSide, State#state{seen = Seen#{Legal => true}}, If,
                           judge(Legal, LegalSide, Continue));
                 Limit ->
                     finish(State#state{stopped = Limit})
@@ -252,7 +253,8 @@ judge(Commands, Side, Continue) ->
             Continue(false, State#state{strayed = true})
     end.
 
-offer(Commands, Side, State, Then) ->
+%% Last is how far it has come if PropEr asks no more, which it does after a failure only.
+offer(Commands, Side, State, Last, Then) ->
     Next = State#state{tries = State#state.tries + 1},
     faultcheck_progress:shrinking(
       fun() ->
@@ -260,7 +262,7 @@ offer(Commands, Side, State, Then) ->
                 original => length(Next#state.original), length => length(Next#state.commands)}
       end),
     {try_, faultcheck_proper:with_side(Commands, Side), fun(Verdict) -> Then(Verdict, Next) end,
-     (summary(Next))#{minimal := false, stopped := max_shrinks}}.
+     (summary(Last))#{tries := Next#state.tries, minimal := false, stopped := max_shrinks}}.
 
 budget(#state{tries = Tries, options = #{max_tries := Max}}) when Tries >= Max ->
     max_tries;
@@ -272,7 +274,7 @@ budget(#state{deadline = Deadline}) ->
 
 %% The driver keeps the last sequence that failed, in whatever way: offer the best again.
 finish(#state{strayed = true, commands = Commands, side = Side} = State) ->
-    offer(Commands, Side, State, fun(_, Next) -> {done, summary(Next)} end);
+    offer(Commands, Side, State, State, fun(_, Next) -> {done, summary(Next)} end);
 finish(State) ->
     {done, summary(State)}.
 

@@ -13,7 +13,8 @@
 %% faultcheck_shrinker, driven by PropEr's own loop; last_shrink/0 tells how that went.
 %%
 %% Before it shrinks, a failure is run 10 more times. One that does not repeat each time is
-%% flaky and left as it is. The ten count as steps for PropEr's option max_shrinks.
+%% flaky and left as it is. To `proper:quickcheck/2' the ten count as steps for the option
+%% max_shrinks; `rebar3 proper' and `faultcheck proper' add them to it.
 -module(faultcheck_statem).
 
 -export([commands/1, commands/2, more_commands/2, uniform/2]).

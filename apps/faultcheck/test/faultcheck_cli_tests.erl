@@ -15,10 +15,14 @@ usage_test_() ->
      || {Title, Words, Expected, Part} <- [
             {"help", ["--help"], 0, "new DIR"},
             {"help of proper", ["proper", "--help"], 0, "--regressions"},
+            {"help of new makes no folder", ["new", "--help"], 0, "Makes the folder DIR"},
+            {"help of replay", ["replay", "--help"], 0, "--original"},
+            {"help of a command that is none", ["raplay", "-h"], 2, "did you mean replay?"},
+            {"an option of new", ["new", "--force"], 2, "unknown option --force"},
             {"version", ["version"], 0, "PropEr"},
             {"nothing", [], 2, "Usage"},
             {"unknown command", ["raplay"], 2, "did you mean replay?"},
-            {"too few words", ["replay"], 2, "wrong arguments"},
+            {"too few words", ["replay"], 2, "Usage: faultcheck replay CASE"},
             {"unknown option", ["proper", "--nmtests", "5"], 2, "did you mean --numtests?"},
             {"bad value", ["proper", "-n", "many"], 2, "must be a whole number from 1, not many"},
             {"a case that is not there", ["replay", "no/such"], 2, "no case no/such"}
@@ -60,6 +64,7 @@ project_test_() ->
             {timeout, 60, {"the new project's bug is found, stored and replayed", fun() ->
                 finds(Dir)
             end}},
+            {timeout, 60, {"a folder with a property alone", fun() -> alone(Dir) end}},
             {timeout, 60, {"a damaged case is one line", fun() -> damaged(Dir) end}},
             {timeout, 60, {"a model that does not compile is status 3", fun() -> broken(Dir) end}},
             {timeout, 60, {"SIGINT ends with 130 and leaves no process", fun() ->
@@ -111,6 +116,18 @@ finds(Dir) ->
     {{exit, 0}, _} = program(Dir, ["proper", "-m", "prop_ring", "--seed", "2"]),
     {{exit, 0}, Differs} = program(Dir, ["replay", Name]),
     has("differs from the record", Differs).
+
+alone(Dir) ->
+    Alone = filename:join(Dir, "alone"),
+    File = filename:join([Alone, "test", "prop_alone.erl"]),
+    ok = filelib:ensure_dir(File),
+    {{exit, 3}, Empty} = program(Alone, ["proper"]),
+    has("there is nothing to test here: no Erlang file in test/", Empty),
+    Text = "-module(prop_alone).\n-include_lib(\"proper/include/proper.hrl\").\n"
+           "prop_sum() -> ?FORALL(X, integer(), X + 1 > X).\n",
+    ok = file:write_file(File, Text),
+    {{exit, 0}, Passed} = program(Alone, ["proper"]),
+    has("===> 1/1 properties passed", Passed).
 
 damaged(Dir) ->
     [Case | _] = filelib:wildcard(filename:join([Dir, "cases", "prop_ring-*"])),

@@ -39,6 +39,8 @@ tests() ->
         {"the same seed gives the same output", fun same_seed/1},
         {"test i depends on seed and i alone", fun test_i/1},
         {"replay shows each command and compares with the record", fun replay/1},
+        {"replay shows a run once that the property prints itself", fun replay_shows/1},
+        {"the runs that confirm a failure are no shrinking steps of the user", fun few_shrinks/1},
         {"unknown modules and properties are one line", fun unknown/1},
         {"until the time is up", fun time/1},
         {"statistics", fun stats/1},
@@ -227,7 +229,7 @@ replay(Dir) ->
     {1, _} = run(["-p", "prop_crash", "--seed", "1"], Dir),
     [Folder] = cases(Dir),
     {ok, Case} = faultcheck_case:read(Folder),
-    Again = fun(What) -> capture(fun(R) -> faultcheck_runner:replay(What, R) end, [], Dir) end,
+    Again = fun(What) -> capture(fun(R) -> faultcheck_replay:replay(What, R) end, [], Dir) end,
     {1, Text} = Again({Case, shrunk}),
     contains("as recorded", Text),
     {1, _} = Again({Case, original}),
@@ -238,6 +240,22 @@ replay(Dir) ->
     Older = Case#{versions := (maps:get(versions, Case))#{otp := "24"}},
     {1, Warned} = Again({Older, shrunk}),
     contains("OTP 24 then", Warned).
+
+replay_shows(Dir) ->
+    {1, _} = run(["-p", "prop_shows", "--seed", "1"], Dir),
+    [Folder] = cases(Dir),
+    {ok, Case} = faultcheck_case:read(Folder),
+    Replay = fun(R) -> faultcheck_replay:replay({Case, shrunk}, R) end,
+    {1, Text} = capture(Replay, [], Dir),
+    contains("told:", Text),
+    ?assertMatch([_, _], string:split(Text, "postcondition false", all)),
+    contains("as recorded", Text).
+
+few_shrinks(Dir) ->
+    {1, _} = run(["-p", "prop_wrong", "--seed", "7", "--max_shrinks", "1"], Dir),
+    #{original := [Original], shrunk := [Shrunk], shrink := Shrink} = the_case(Dir),
+    ?assertMatch(#{accepted := 1, minimal := false, stopped := max_shrinks}, Shrink),
+    ?assertNotEqual(Original, Shrunk).
 
 unknown(Dir) ->
     {2, Property} = run(["-p", "prop_godo"], Dir),

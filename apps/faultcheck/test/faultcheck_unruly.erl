@@ -28,6 +28,17 @@ prop_fails_not() -> fails(?FORALL(_, integer(), true)).
 prop_chance() -> ?FORALL(L, list(integer()), length(L) < 5 orelse os:system_time() rem 4 =/= 0).
 prop_talk() ->
     ?FORALL(L, list(integer()), ?WHENFAIL(io:format("told of ~w~n", [L]), length(L) < 5)).
+%% Prints the run of its commands itself.
+prop_shows() ->
+    put(?MODULE, wrong),
+    ?SETUP(
+        fun unruly/0,
+        ?FORALL(Commands, commands(?MODULE), begin
+            {_, _, Result} = Run = restarted(Commands),
+            Told = ["told:\n", faultcheck_statem:pretty(?MODULE, Commands, Run)],
+            ?WHENFAIL(io:put_chars(Told), Result =:= ok)
+        end)
+    ).
 prop_missing() ->
     ?SETUP(
         fun() ->
@@ -58,24 +69,24 @@ prop_draw() ->
 
 property(How) ->
     put(?MODULE, How),
-    Source = filename:join(os:getenv("FAULTCHECK_TEST_DIR"), "faultcheck_unruly.c"),
     ?SETUP(
-        fun() ->
-            {ok, Lib} = cb:start(unruly, [
-                {c_src, Source}, {transport, nif}, {reset, snapshot}, {timeout, 150}
-            ]),
-            fun() -> cb:stop(Lib) end
-        end,
-        ?FORALL(
-            Commands,
-            commands(?MODULE),
-            begin
-                ok = cb:restart(unruly),
-                {_, _, Result} = run_commands(?MODULE, Commands),
-                Result =:= ok
-            end
-        )
+        fun unruly/0,
+        ?FORALL(Commands, commands(?MODULE), begin
+            {_, _, Result} = restarted(Commands),
+            Result =:= ok
+        end)
     ).
+
+unruly() ->
+    Source = filename:join(os:getenv("FAULTCHECK_TEST_DIR"), "faultcheck_unruly.c"),
+    {ok, Lib} = cb:start(unruly, [
+        {c_src, Source}, {transport, nif}, {reset, snapshot}, {timeout, 150}
+    ]),
+    fun() -> cb:stop(Lib) end.
+
+restarted(Commands) ->
+    ok = cb:restart(unruly),
+    run_commands(?MODULE, Commands).
 
 initial_state() -> 0.
 
