@@ -34,7 +34,7 @@ smallest(#{test := Number, size := Size, original := Original} = Failure, First,
 
 %% The values were generated from what the tests before it had found (a targeted search).
 shrunk_in_place(#{test := Number, size := Size}, First, Run) ->
-    ok = listen(Run),
+    ok = faultcheck_statem:reset_shrink(),
     case faultcheck_testing:again(First, Number, with_confirming(Number, Size, Run)) of
         Passed when Passed =:= true; Passed =:= false ->
             #{notes => ["not shrunk: the test depends on those before it"]};
@@ -60,7 +60,7 @@ repeats(Original, #{tell := Tell, fails := false} = Run, Left, Failed) ->
 %% @doc One test from its seed, with shrinking.
 -spec shrunk(pos_integer(), non_neg_integer(), run()) -> result().
 shrunk(Number, Size, Run) ->
-    ok = listen(Run),
+    ok = faultcheck_statem:reset_shrink(),
     case faultcheck_testing:single(Number, Size, shrink, with_confirming(Number, Size, Run)) of
         true ->
             #{status => flaky, flaky => {0, 1}};
@@ -86,10 +86,6 @@ with_confirming(Number, Size, #{options := Options} = Run) ->
 
 with_confirming({max_shrinks, N}) -> {max_shrinks, N + ?RERUNS};
 with_confirming(Option) -> Option.
-
-listen(#{tell := Tell}) ->
-    ok = faultcheck_statem:reset_shrink(),
-    faultcheck_statem:set_progress(fun(How) -> Tell({tell, {shrinking, How}}) end).
 
 with_shrink(undefined, Failure) ->
     maps:remove(original, Failure#{shrinks => get(shrinks)});

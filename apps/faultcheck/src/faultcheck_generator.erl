@@ -5,7 +5,7 @@
 %% and arguments are chosen again. All randomness comes from the process's rand state.
 -module(faultcheck_generator).
 
--export([generate/2, mutate/2]).
+-export([generate/2, mutate/2, fill/5, insert/4, fresh_arguments/3]).
 -export_type([command/0, side/0]).
 
 -type command() :: {set, {var, pos_integer()}, {call, module(), atom(), [term()]}}.
@@ -39,6 +39,79 @@ mutate(Mod, Commands) ->
     Fresh = rand:uniform(max(faultcheck_proper:size(), Length - length(Kept)) + 1) - 1,
     finish(extend(Fresh, Start)).
 
+%% @doc The beginning of a sequence, completed at random: up to a simulated time, at most to a
+%% number of commands.
+-spec fill(module(), [command()], side(), Time :: number(), Most :: pos_integer()) ->
+          {[command()], side()}.
+fill(Mod, Commands, Side, Time, Most) ->
+    #gen{model = Model} = Start = start(Mod),
+    Gen = lists:foldl(fun replay/2, Start#gen{side = Side}, Commands),
+    finish(until(Time - duration(Model, Commands), Most - length(Commands), Gen)).
+
+until(Left, Most, Gen) when Left =< 0; Most =< 0 ->
+    Gen;
+until(Left, Most, #gen{model = Model} = Gen) ->
+    case extend(1, Gen) of
+        #gen{commands = [Command | _] = More} = Next when More =/= Gen#gen.commands ->
+            until(Left - duration(Model, [Command]), Most - 1, Next);
+        _ ->
+            Gen
+    end.
+
+duration(Model, Commands) ->
+    lists:sum([faultcheck_model:duration(Model, Name, Args)
+               || {set, _, {call, _, Name, Args}} <- Commands]).
+
+%% @doc A sequence with fresh commands behind its first ones: those listed, with the types of their
+%% arguments, or, for `any', some of the commands named, up to the first that takes time, at most
+%% Most. Focus gives the state that arguments are drawn in. What follows may have become illegal.
+-spec insert(module(), {Before :: [command()], Behind :: [command()], side()},
+             [{atom(), faultcheck_proper:type()}] | {any, [atom()], Most :: pos_integer()},
+             fun((faultcheck_model:state()) -> faultcheck_model:state())) ->
+          {[command()], side()}.
+insert(Mod, {Before, Behind, Side}, What, Focus) ->
+    Gen = lists:foldl(fun replay/2, (start(Mod))#gen{side = Side}, Before),
+    Free = lists:max([0 | [N || {set, {var, N}, _} <- Behind]]) + 1,
+    {Commands, NewSide} = finish(add(What, Focus, Gen#gen{var = max(Free, Gen#gen.var)})),
+    {Commands ++ Behind, NewSide}.
+
+add([], _Focus, Gen) ->
+    Gen;
+add([{Name, Types} | Rest], Focus, #gen{model = Model, state = State} = Gen) ->
+    case arguments(Types) of
+        {ok, Imm, Args} ->
+            case faultcheck_model:allowed(Model, State, Name, Args) of
+                true -> add(Rest, Focus, append(Name, Imm, Args, Gen));
+                false -> add(Rest, Focus, Gen)
+            end;
+        error ->
+            add(Rest, Focus, Gen)
+    end;
+add({any, Names, Most}, Focus, Gen) ->
+    fresh(Most, Names, Focus, Gen).
+
+fresh(0, _Names, _Focus, Gen) ->
+    Gen;
+fresh(Left, Names, Focus, #gen{model = Model, state = State} = Gen) ->
+    Enabled = [E || {_, Name} = E <- faultcheck_model:enabled(Model, State),
+                    lists:member(Name, Names)],
+    case choose(Enabled, total(Enabled, 0), Gen, Focus, ?ATTEMPTS) of
+        {ok, Name, Imm, Args} ->
+            Next = append(Name, Imm, Args, Gen),
+            case faultcheck_model:duration(Model, Name, Args) > 0 of
+                true -> Next;
+                false -> fresh(Left - 1, Names, Focus, Next)
+            end;
+        none ->
+            Gen
+    end.
+
+%% @doc Fresh arguments of a command in a state; error when PropEr cannot make any.
+-spec fresh_arguments({module(), faultcheck_model:info()}, faultcheck_model:state(), atom()) ->
+          {ok, faultcheck_proper:imm(), [term()]} | error.
+fresh_arguments(Model, State, Name) ->
+    arguments(faultcheck_model:args(Model, State, Name)).
+
 start(Mod) ->
     Info = faultcheck_model:info(Mod),
     #gen{model = {Mod, Info}, state = Mod:initial_state()}.
@@ -55,7 +128,7 @@ extend(0, Gen) ->
     Gen;
 extend(N, #gen{model = Model, state = State} = Gen) ->
     Enabled = faultcheck_model:enabled(Model, State),
-    case choose(Enabled, total(Enabled, 0), Gen, ?ATTEMPTS) of
+    case choose(Enabled, total(Enabled, 0), Gen, fun(S) -> S end, ?ATTEMPTS) of
         {ok, Name, Imm, Args} -> extend(N - 1, append(Name, Imm, Args, Gen));
         none -> Gen
     end.
@@ -63,25 +136,25 @@ extend(N, #gen{model = Model, state = State} = Gen) ->
 total([{Weight, _} | Rest], Sum) -> total(Rest, Sum + Weight);
 total([], Sum) -> Sum.
 
-choose([], _Total, _Gen, _Attempts) ->
+choose([], _Total, _Gen, _Focus, _Attempts) ->
     none;
-choose(_Enabled, _Total, _Gen, 0) ->
+choose(_Enabled, _Total, _Gen, _Focus, 0) ->
     none;
-choose(Enabled, Total, #gen{model = Model, state = State} = Gen, Attempts) ->
+choose(Enabled, Total, #gen{model = Model, state = State} = Gen, Focus, Attempts) ->
     Name = pick(Enabled, rand:uniform(Total)),
-    case arguments(faultcheck_model:args(Model, State, Name)) of
+    case arguments(faultcheck_model:args(Model, Focus(State), Name)) of
         {ok, Imm, Args} ->
             case faultcheck_model:allowed(Model, State, Name, Args) of
                 true ->
                     {ok, Name, Imm, Args};
                 false ->
                     faultcheck_stats:rejected(Name),
-                    choose(Enabled, Total, Gen, Attempts - 1)
+                    choose(Enabled, Total, Gen, Focus, Attempts - 1)
             end;
         error ->
             %% As PropEr does when a constraint cannot be met, but without giving up the run.
             faultcheck_stats:rejected(Name),
-            choose(Enabled, Total, Gen, Attempts - 1)
+            choose(Enabled, Total, Gen, Focus, Attempts - 1)
     end.
 
 pick([{Weight, Name} | _], Dice) when Dice =< Weight -> Name;

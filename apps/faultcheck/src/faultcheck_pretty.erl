@@ -51,6 +51,7 @@ why({postcondition, {exception, _, _, _} = Exception}) ->
     ["    in the postcondition: " | cause(Exception)];
 why({postcondition, false}) -> "    postcondition false\n";
 why({postcondition, Other}) -> ["    postcondition: ", term(Other), $\n];
+why({objective, Other}) -> ["    the objective is not a finite number: ", term(Other), $\n];
 why({next_state, Exception}) -> ["    in the next state: " | cause(Exception)];
 why(Exception) -> ["    ", cause(Exception)].
 

@@ -67,6 +67,7 @@
 -spec run(job(), counters:counters_ref(), faultcheck_testing:tell()) -> result().
 run(#{module := Module, function := Function} = Job, Tests, Tell) ->
     Began = erlang:monotonic_time(millisecond),
+    ok = faultcheck_progress:set(fun(What, How) -> Tell({tell, {What, How}}) end),
     Result =
         try
             Meta = meta(Module, Function, opts, []),

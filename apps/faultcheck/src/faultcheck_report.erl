@@ -1,7 +1,8 @@
 %% @doc What a run prints, as lines, and its report in JSON.
 -module(faultcheck_report).
 
--export([title/1, failure/1, summary/1, progress/4, shrinking_progress/2, json/2]).
+-export([title/1, failure/1, summary/1, progress/4, shrinking_progress/2, searching_progress/3]).
+-export([json/2]).
 
 %% @doc `"Testing prop_stack:prop_push()"'.
 -spec title({module(), atom()}) -> string().
@@ -141,6 +142,12 @@ progress({_, Property}, Tests, Ms, Goal) ->
 -spec shrinking_progress({module(), atom()}, #{atom() => non_neg_integer()}) -> string().
 shrinking_progress({_, Property}, #{tries := Tries, original := Original, length := Length}) ->
     text("~tp: shrinking, ~b candidates, ~b commands of ~b", [Property, Tries, Length, Original]).
+
+%% @doc How far the guided search of a test is.
+-spec searching_progress({module(), atom()}, non_neg_integer(), #{atom() => number() | worst}) ->
+    string().
+searching_progress({_, Property}, Test, #{runs := Runs, most := Most, nearest := Nearest}) ->
+    text("~tp: test ~b, search: ~b runs of ~b, nearest ~p", [Property, Test, Runs, Most, Nearest]).
 
 %% @doc The report for machines.
 -spec json(faultcheck_versions:versions(), [faultcheck_runner:outcome()]) -> binary().

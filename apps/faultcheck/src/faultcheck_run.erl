@@ -4,8 +4,9 @@
 %% OTP 24 no longer has, so that an exception in a command would end the whole run.
 -module(faultcheck_run).
 
--export([commands/3, failure/1, last/0, evaluate/2, attempt/1]).
--export_type([history/0, result/0, run/0, exception/0]).
+-export([commands/3, commands/4, failure/1, last/0, evaluate/2, attempt/1]).
+-export([start/3, step/2, state/1]).
+-export_type([history/0, result/0, run/0, exception/0, observe/0, position/0]).
 
 -type exception() :: {exception, error | exit | throw, Reason :: term(), Stack :: list()}.
 %% The state in front of each command that was run, and the command's result.
@@ -14,31 +15,52 @@
                 | {precondition, false | exception()}
                 | {postcondition, term() | exception()}    % what X_post gave instead of true
                 | {next_state, exception()}
+                | {objective, term()}                      % what should be a finite number
                 | exception().                             % raised by the command itself
+%% Looks at the state behind each command that was run; anything but ok is the run's result.
+-type observe() :: fun((faultcheck_model:state()) -> ok | {objective, term()}).
 -type run() :: {history(), faultcheck_model:state(), result()}.
 
 -record(run, {model :: {module(), faultcheck_model:info()},
               state :: faultcheck_model:state(),
               env :: #{term() => term()},
               history = [] :: history(),        % newest first
-              tags = none :: none | [term()]}). % requirement tags, when they are asked for
+              tags = none :: none | [term()],   % requirement tags, when they are asked for
+              observe = none :: none | observe()}).
+-opaque position() :: #run{}.
 
 %% @doc Runs a sequence up to its end or the first command that fails. An exception of a
 %% command is a result like any other failure; it never escapes. Environment has values for
 %% variables {var, Name} that the sequence does not set.
 -spec commands(module(), [faultcheck_generator:command()], [{atom(), term()}]) -> run().
 commands(Mod, Commands, Environment) ->
+    commands(Mod, Commands, Environment, none).
+
+%% @doc The same, with an observer.
+-spec commands(module(), [faultcheck_generator:command()], [{atom(), term()}], none | observe()) ->
+          run().
+commands(Mod, Commands, Environment, Observe) ->
     Counting = faultcheck_stats:active(),
-    Info = faultcheck_model:info(Mod),
-    Start = #run{model = {Mod, Info},
-                 state = Mod:initial_state(),
-                 env = maps:from_list(Environment),
-                 tags = case Counting of true -> []; false -> none end},
+    Start = start(Mod, Environment, Observe),
     {Result, #run{state = State, history = History} = End} = run(Commands, Start),
     Run = {lists:reverse(History), State, Result},
     _ = put({?MODULE, last}, {Mod, Commands, Run}),
     _ = Counting andalso count(Commands, End),
     Run.
+
+%% @doc The position in front of the first command.
+-spec start(module(), [{atom(), term()}], none | observe()) -> position().
+start(Mod, Environment, Observe) ->
+    #run{model = {Mod, faultcheck_model:info(Mod)},
+         state = Mod:initial_state(),
+         env = maps:from_list(Environment),
+         tags = case faultcheck_stats:active() of true -> []; false -> none end,
+         observe = Observe}.
+
+%% @doc The model's state at a position.
+-spec state(position()) -> faultcheck_model:state().
+state(#run{state = State}) ->
+    State.
 
 run([], Run) ->
     {ok, Run};
@@ -48,6 +70,8 @@ run([Command | Rest], Run) ->
         Failed -> Failed
     end.
 
+%% @doc Runs one command.
+-spec step(faultcheck_generator:command(), position()) -> {result(), position()}.
 step({set, {var, N}, {call, Mod, Name, Symbolic}} = Command, #run{env = Env} = Run) ->
     case attempt(fun() -> evaluate(Symbolic, Env) end) of
         {ok, Args} ->
@@ -89,9 +113,14 @@ judge(N, Name, Args, Result, #run{model = Model, state = State} = Run) ->
 
 advance(N, Name, Args, Result, {ok, NextState}, #run{env = Env} = Run) ->
     Tagged = requirements(Name, Args, Result, Run),
-    {ok, Tagged#run{state = NextState, env = Env#{N => Result}}};
+    observe(Tagged#run{state = NextState, env = Env#{N => Result}});
 advance(_N, _Name, _Args, _Result, Exception, Run) ->
     {{next_state, Exception}, Run}.
+
+observe(#run{observe = none} = Run) ->
+    {ok, Run};
+observe(#run{observe = Observe, state = State} = Run) ->
+    {Observe(State), Run}.
 
 %% @doc What a function gives, or its exception.
 -spec attempt(fun(() -> Value)) -> {ok, Value} | exception().

@@ -25,6 +25,7 @@
     numtests => pos_integer(),
     doc => string(),
     tests => non_neg_integer(),
+    searching => true,
     failed => faultcheck_property:failure()
 }.
 -type answer() ::
@@ -78,6 +79,11 @@ loop(Watch, Info, #{job := Job} = Shown, #{child := Child} = Session) ->
         {{shrinking, How}, Next} ->
             Line = faultcheck_report:shrinking_progress(property(Job), How),
             loop(Next, Info, progress_line(Line, Shown, Session), Session);
+        {{searching, How}, Next} ->
+            Test = maps:get(tests, Info, 0),
+            Line = faultcheck_report:searching_progress(property(Job), Test, How),
+            Searching = Info#{searching => true},
+            loop(Next, Searching, progress_line(Line, Shown, Session), Session);
         {{result, Result}, _} ->
             ok = end_line(Shown, Session),
             {{result, Result, Info}, Session};
@@ -132,8 +138,10 @@ output(_Text, _Session) -> ok.
 -spec print(iodata(), session()) -> ok.
 print(Text, #{config := #{print := Print}}) -> Print(Text).
 
-%% Nothing is said while the failing test is shrunk: that has a line of its own.
+%% Nothing is said while the failing test is shrunk or a search runs: these have lines of their own.
 progress(_Tests, #{failed := _}, Shown, _Session) ->
+    Shown;
+progress(_Tests, #{searching := true}, Shown, _Session) ->
     Shown;
 progress(Tests, Info, #{began := Began, job := Job} = Shown, Session) ->
     Goal = goal(Job, Info),

@@ -256,8 +256,8 @@ judge(Commands, Side, Continue) ->
 %% Last is how far it has come if PropEr asks no more, which it does after a failure only.
 offer(Commands, Side, State, Last, Then) ->
     Next = State#state{tries = State#state.tries + 1},
-    faultcheck_progress:shrinking(
-      fun() ->
+    faultcheck_progress:report(
+      shrinking, fun() ->
               #{tries => Next#state.tries, accepted => Next#state.accepted,
                 original => length(Next#state.original), length => length(Next#state.commands)}
       end),

@@ -19,7 +19,8 @@
 
 -export([commands/1, commands/2, more_commands/2, uniform/2]).
 -export([run_commands/2, run_commands/3, command_names/1, pretty/3]).
--export([last_shrink/0, reset_shrink/0, set_progress/1]).
+-export([last_shrink/0, reset_shrink/0]).
+-export([type/3]).
 -export_type([command/0, history/0, result/0, run/0]).
 
 -type command() :: faultcheck_generator:command().
@@ -35,9 +36,16 @@ commands(Mod) ->
 %% @doc The same with other limits for shrinking.
 -spec commands(module(), faultcheck_shrinker:options()) -> proper_types:type().
 commands(Mod, Given) ->
+    type(Mod, Given, fun(Size) -> faultcheck_generator:generate(Mod, Size) end).
+
+%% @doc The same from another source of sequences.
+-spec type(module(), faultcheck_shrinker:options(),
+           fun((Size :: non_neg_integer()) ->
+                   {[command()], faultcheck_generator:side()})) -> proper_types:type().
+type(Mod, Given, Generate) ->
     Options = faultcheck_shrinker:options(Given),
     faultcheck_proper:new_type(
-      fun(Size) -> generate(Mod, Size) end,
+      fun(Size) -> generate(Generate, Size) end,
       fun(Imm) -> is_list(faultcheck_proper:clean(Imm)) end,
       fun(Imm, _Type, State) -> shrink(Mod, Options, Imm, State) end,
       fun(Base) -> neighbour(Mod, Base) end).
@@ -46,10 +54,10 @@ neighbour(Mod, Base) ->
     {Commands, Side} = faultcheck_generator:mutate(Mod, Base),
     faultcheck_proper:with_side(Commands, Side).
 
-generate(Mod, Size) ->
+generate(Generate, Size) ->
     faultcheck_stats:generated(),
     _ = erase({?MODULE, finished}),
-    {Commands, Side} = faultcheck_generator:generate(Mod, Size),
+    {Commands, Side} = Generate(Size),
     faultcheck_proper:with_side(Commands, Side).
 
 %% @doc The same type with sequences N times as long.
@@ -95,12 +103,6 @@ last_shrink() ->
 reset_shrink() ->
     _ = erase({?MODULE, summary}),
     ok.
-
-%% @doc Has a function called now and then while this process shrinks, with a map of tries,
-%% accepted, original and length. undefined ends that.
--spec set_progress(fun((map()) -> term()) | undefined) -> ok.
-set_progress(Report) ->
-    faultcheck_progress:set(Report).
 
 %%% Shrinking, driven by PropEr
 %%

@@ -29,6 +29,8 @@
     | {failed, faultcheck_property:failure()}
     %% how far shrinking is: tries, accepted, original, length
     | {shrinking, #{atom() => non_neg_integer()}}
+    %% how far a guided search is: runs, most, nearest
+    | {searching, #{atom() => number() | worst}}
     | {result, faultcheck_property:result()}
     | {died, string()}
     | stopped.

@@ -172,14 +172,14 @@ progress_is_heard_and_changes_nothing_test() ->
     Self = self(),
     model_lab:isolated(
       fun() ->
-              faultcheck_statem:set_progress(fun(Map) -> Self ! {progress, Map} end),
+              faultcheck_progress:set(fun(shrinking, Map) -> Self ! {progress, Map} end),
               Slow = ?FORALL(C, commands(bag_model),
                              begin
                                  wait_until(erlang:monotonic_time(millisecond) + 30),
                                  length(C) < 3
                              end),
               false = proper:quickcheck(Slow, [quiet]),
-              faultcheck_statem:set_progress(undefined)
+              faultcheck_progress:set(undefined)
       end),
     receive
         {progress, #{tries := Tries, accepted := _, original := _, length := _}} ->
