@@ -86,7 +86,7 @@ uint64_t fc_change_count(fc_context *ctx) {
 bool fc_is_watching(fc_context *ctx) {
     fc_context &context = fc::context_of(ctx);
     const std::lock_guard<std::mutex> armed(context.arming);
-    return context.counting || context.recording.load(std::memory_order_relaxed);
+    return context.watched();
 }
 
 } // extern "C"

@@ -50,21 +50,8 @@ struct PutCall {
     Reports &reports;
 };
 
-// Everything but the name is written under the context's traffic lock, and read under it save the
-// state.
-struct Channel {
-    explicit Channel(const Name &identifier) : name(identifier), receivers(1) {}
-
-    StoredName name;
-
-    // Why a packet cannot be handed over past the channel; 0 for an idle one.
-    enum State : std::uint8_t {
-        kArmed = 1,
-        kQueued = 2,
-        kWatched = 4, // packets are recorded or counted
-    };
-    std::atomic<std::uint8_t> state{0};
-
+// What packets and faults have made of a channel: a snapshot copies it.
+struct ChannelContent {
     bool exists = false; // got a packet, a fault or a receiver since fc_new or fc_reset
     bool has_subscriptions = false;
     bool wants_inputs = false;   // a fault or a delayed packet asks for the time or a predicate
@@ -77,6 +64,30 @@ struct Channel {
     std::uint64_t gets = 0;
     bool latest_refused = false;
     std::uint64_t next_ordinal = 0;
+
+    // As it was made.
+    bool is_new() const {
+        return !exists && next_ordinal == 0 && !latest_refused;
+    }
+};
+
+// Everything but the name is written under the context's traffic lock, and read under it save the
+// state.
+struct Channel : ChannelContent {
+    explicit Channel(const Name &identifier) : name(identifier) {
+        receivers.resize(1);
+    }
+
+    StoredName name;
+
+    // Why a packet cannot be handed over past the channel; 0 for an idle one.
+    enum State : std::uint8_t {
+        kArmed = 1,
+        kQueued = 2,
+        kWatched = 4, // packets are recorded or counted
+    };
+    std::atomic<std::uint8_t> state{0};
+
     RecordedAs recorded_as;
 
     // The receiver of that name, or -1.

@@ -17,9 +17,12 @@ class Clock {
     std::int64_t now() const;
     void use(fc_clock_fn function, void *user);
     void advance(std::int64_t ns);
-    // The manual clock back to 0.
-    void reset() {
-        manual_ns_.store(0, std::memory_order_relaxed);
+    // The manual clock, whether or not it is the one in use.
+    std::int64_t manual() const {
+        return manual_ns_.load(std::memory_order_relaxed);
+    }
+    void set_manual(std::int64_t ns) {
+        manual_ns_.store(ns, std::memory_order_relaxed);
     }
 
   private:

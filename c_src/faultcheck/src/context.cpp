@@ -12,6 +12,7 @@ std::atomic<fc_context *> default_context{nullptr};
 namespace {
 
 std::mutex default_mutex;
+std::atomic<std::uint64_t> next_context{1};
 
 // FC_SEED when it is a number, otherwise the usual seed and a line about it.
 std::uint64_t seed_from_environment() {
@@ -49,7 +50,7 @@ using fc::Channel;
 using fc::Probe;
 
 fc_context::fc_context(const fc_options &options)
-    : seed(options.seed),
+    : number(fc::next_context.fetch_add(1, std::memory_order_relaxed)), seed(options.seed),
       first_seed(options.seed), on_error_{options.on_error, options.error_user} {}
 
 fc::ErrorCallback fc_context::error_callback() const {
@@ -91,7 +92,7 @@ void fc_context::reset() {
     recording.store(false, std::memory_order_relaxed);
     counting = false;
     seed = first_seed;
-    clock.reset();
+    clock.set_manual(0);
     error_count.store(0, std::memory_order_relaxed);
     note_change();
 }

@@ -31,6 +31,7 @@ struct FaultPlace {
 struct fc_context {
     explicit fc_context(const fc_options &options);
 
+    const std::uint64_t number; // no other context of the process ever has it
     fc::NameTable<fc::Probe> probes;
     fc::NameTable<fc::Channel> channels;
     std::atomic<std::uint64_t> error_count{0};

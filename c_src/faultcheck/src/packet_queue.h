@@ -30,6 +30,17 @@ struct QueuedPacket {
 // A ring whose slots keep their buffers, so that steady traffic allocates nothing.
 class PacketQueue {
   public:
+    PacketQueue() = default;
+    PacketQueue(PacketQueue &&) = default;
+    PacketQueue &operator=(PacketQueue &&) = default;
+    // The packets, not the buffers of those gone.
+    PacketQueue(const PacketQueue &other) : count_(other.count_), depth_(other.depth_) {
+        if (count_ > 0)
+            ring_.resize(size_for(count_));
+        for (std::size_t at = 0; at < count_; ++at)
+            ring_[at] = other.entry(at);
+    }
+
     std::uint64_t depth() const {
         return depth_;
     } // copies counted
@@ -110,11 +121,15 @@ class PacketQueue {
     // More than a std::string holds within itself: then packets change hands by swapping pointers.
     static constexpr std::size_t kLeastBuffer = 32;
 
-    void grow(std::size_t least) {
-        std::size_t size = std::max<std::size_t>(8, ring_.size());
-        while (size < least)
+    static std::size_t size_for(std::size_t entries) {
+        std::size_t size = 8;
+        while (size < entries)
             size *= 2;
-        std::vector<QueuedPacket> next(size);
+        return size;
+    }
+
+    void grow(std::size_t least) {
+        std::vector<QueuedPacket> next(size_for(least));
         for (std::size_t at = 0; at < count_; ++at)
             next[at] = std::move(slot(at));
         ring_.swap(next);

@@ -13,13 +13,31 @@
 
 namespace fc {
 
+// What faults have made of a probe: a snapshot copies it.
+struct ProbeContent {
+    // Under the probe's lock; faults are added and removed under the context's arming lock as well.
+    std::uint64_t calls = 0;        // while armed or watched
+    std::vector<ProbeFault> faults; // in the order of adding
+    bool wants_inputs = false;      // a fault asks for the time or a predicate
+
+    // Under the context's arming lock.
+    bool latest_refused = false;
+    std::uint64_t next_ordinal = 0;
+
+    // As it was made.
+    bool is_new() const {
+        return faults.empty() && calls == 0 && next_ordinal == 0 && !latest_refused;
+    }
+};
+
 // A record of its own cache lines: arming one identifier does not slow the idle probes of another.
-struct alignas(64) Probe {
+struct alignas(64) Probe : ProbeContent {
     explicit Probe(const Name &identifier) : name(identifier) {
         set_states(kUnseen);
     }
 
-    // Why a probe call of a type cannot return at once; 0 for an idle one.
+    // Why a probe call of a type cannot return at once; 0 for an idle one. Written under the
+    // context's arming lock.
     enum State : std::uint8_t {
         kUnseen = 1, // not yet probed as this type since fc_new or fc_reset
         kArmed = 2,
@@ -30,25 +48,15 @@ struct alignas(64) Probe {
     StoredName name;
 
     SpinLock lock;
-    std::vector<ProbeFault> faults; // in the order of adding
-    std::uint64_t calls = 0;        // while armed or watched
-    bool wants_inputs = false;      // a fault asks for the time or a predicate
-    bool watched = false;           // calls are recorded or counted
+    bool watched = false; // calls are recorded or counted
+    bool listed = false;  // seen or armed since fc_new or fc_reset; under the arming lock
     RecordedAs recorded_as;
-
-    // Under the context's arming lock.
-    bool listed = false; // seen or armed since fc_new or fc_reset
-    bool latest_refused = false;
-    std::uint64_t next_ordinal = 0;
 
     // Under lock and the arming lock.
     void reset() {
-        faults.clear();
+        static_cast<ProbeContent &>(*this) = ProbeContent();
         set_states(kUnseen);
-        calls = 0;
-        wants_inputs = watched = false;
-        listed = latest_refused = false;
-        next_ordinal = 0;
+        listed = watched = false;
     }
 
     // Under lock.

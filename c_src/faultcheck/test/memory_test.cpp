@@ -164,6 +164,69 @@ void a_subscription() {
     CHECK(failed > 0);
 }
 
+void resolving() {
+    const int failed = fail_each(
+        nothing,
+        [](fc_context *ctx) {
+            fc_handle handle = {nullptr, nullptr, nullptr};
+            const int result = fc_resolve(ctx, kId, FC_I32, &handle);
+            CHECK((result == FC_OK) == (handle.probe != nullptr));
+            return result;
+        },
+        nothing);
+    CHECK(failed > 0);
+    CHECK(fail_each(
+              nothing,
+              [](fc_context *ctx) {
+                  fc_channel_handle handle = {nullptr, nullptr, nullptr};
+                  const int result = fc_resolve_channel(ctx, kId, &handle);
+                  CHECK((result == FC_OK) == (handle.channel != nullptr));
+                  return result;
+              },
+              nothing) > 0);
+}
+
+void arm_and_queue(fc_context *ctx) {
+    fc_add_offset(ctx, kId, 1);
+    fc_add_delay(ctx, kId, 3);
+    probe(ctx);
+    fc_channel_add_repeat(ctx, kId, 2);
+    fc_channel_put(ctx, kId, kPacket, sizeof kPacket);
+}
+
+void a_snapshot() {
+    const int failed = fail_each(
+        arm_and_queue,
+        [](fc_context *ctx) {
+            fc_snapshot *snapshot = fc_save(ctx);
+            fc_release(snapshot);
+            return snapshot != nullptr ? FC_OK : FC_E_NOMEM;
+        },
+        [](fc_context *ctx) { CHECK_INT(fc_channel_depth(ctx, kId, ""), 1); });
+    CHECK(failed > 0);
+}
+
+void a_restored_snapshot() {
+    static fc_snapshot *snapshot;
+    const int failed = fail_each(
+        [](fc_context *ctx) {
+            arm_and_queue(ctx);
+            fc_release(snapshot);
+            snapshot = fc_save(ctx);
+            fc_remove_all_probe_faults(ctx);
+            fc_add_offset(ctx, kId, 10);
+            fc_channel_clear(ctx, kId);
+        },
+        [](fc_context *ctx) {
+            const int result = fc_restore(ctx, snapshot);
+            CHECK_INT(fc_channel_depth(ctx, kId, ""), result == FC_OK ? 1 : 0);
+            return result;
+        },
+        [](fc_context *ctx) { CHECK_INT(probe(ctx), 10); });
+    CHECK(failed > 0);
+    fc_release(snapshot);
+}
+
 void a_new_context() {
     errors_start(nullptr);
     for (int failing = 0; failing < 4; ++failing) {
@@ -206,6 +269,9 @@ int main() {
     a_put();
     a_get_through_faults();
     a_subscription();
+    resolving();
+    a_snapshot();
+    a_restored_snapshot();
     a_new_context();
     quiet_calls_allocate_nothing();
     return CHECK_RESULT();

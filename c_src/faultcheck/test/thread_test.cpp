@@ -101,6 +101,42 @@ void a_channel_loses_no_packet(fc_context *ctx) {
     CHECK_INT(fc_channel_depth(ctx, "c", ""), 0);
 }
 
+// What a snapshot holds is whole: the fault adds 1 or, between a restore and the next removal, 2.
+void saving_and_restoring_while_others_probe(fc_context *ctx) {
+    fc_add_offset(ctx, "saved", 1);
+    fc_snapshot *one = fc_save(ctx);
+    fc_add_offset(ctx, "saved", 1);
+    fc_snapshot *two = fc_save(ctx);
+    std::atomic<bool> stop{false};
+    std::vector<std::thread> threads;
+    for (int thread = 0; thread < 2; ++thread)
+        threads.emplace_back([&] {
+            fc_handle handle;
+            fc_channel_handle channel;
+            CHECK_INT(fc_resolve(ctx, "saved", FC_I32, &handle), FC_OK);
+            CHECK_INT(fc_resolve_channel(ctx, "queue", &channel), FC_OK);
+            while (!stop) {
+                int32_t value = 0;
+                fc_probe_i32_at(&handle, &value);
+                CHECK(value == 1 || value == 2);
+                if (fc_channel_is_idle(&channel))
+                    fc_channel_put_at(&channel, "p", 1);
+                char packet;
+                fc_channel_get_at(&channel, "", &packet, 1, nullptr);
+            }
+        });
+    for (int round = 0; round < 500; ++round) {
+        CHECK_INT(fc_restore(ctx, round % 2 == 0 ? one : two), FC_OK);
+        fc_release(fc_save(ctx));
+    }
+    stop = true;
+    for (std::thread &thread : threads)
+        thread.join();
+    fc_release(one);
+    fc_release(two);
+    fc_remove_all_probe_faults(ctx);
+}
+
 void last_errors_are_per_thread(fc_context *ctx) {
     fc_clear_last_error();
     std::thread([&] {
@@ -122,6 +158,7 @@ int main() {
     arming_and_probing_at_once(ctx);
     new_identifiers_from_all_threads(ctx);
     a_channel_loses_no_packet(ctx);
+    saving_and_restoring_while_others_probe(ctx);
     last_errors_are_per_thread(ctx);
     fc_free(ctx);
     return CHECK_RESULT();
