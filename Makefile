@@ -11,8 +11,8 @@ ifneq ($(shell uname -s)-$(shell uname -m),Linux-x86_64)
 $(error FaultCheck needs Linux on x86-64 (ELF, DWARF and libffi of that machine); this is $(shell uname -s) on $(shell uname -m))
 endif
 
-.PHONY: help setup native compile test demo bench coverage airbag-report e2e-report mutants fuzz replay install format \
-        lint clean chroot-check
+.PHONY: help setup native compile test demo bench coverage airbag-report e2e-report mutants fuzz replay install docs \
+        format lint clean chroot-check
 
 help:  ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -68,6 +68,10 @@ fuzz:  ## run each fuzz target for FUZZ_SECONDS=60 seconds
 install:  ## install libraries, applications and bin/faultcheck: make install PREFIX=/usr/local
 	@scripts/setup.sh --quiet demo
 	@scripts/install.sh "$(PREFIX)"
+
+docs:  ## documentation of the C headers and the Erlang modules: _build/docs/index.html
+	@scripts/setup.sh --quiet docs
+	@scripts/docs.sh
 
 format:  ## format C and C++ sources
 	@scripts/setup.sh --quiet test

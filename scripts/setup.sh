@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing for a purpose, and only that.
 #
-#   scripts/setup.sh [--quiet] native|demo|test|coverage|all
+#   scripts/setup.sh [--quiet] native|demo|test|coverage|docs|all
 #
 # A requirement is a test (is the command, header or Erlang application there?) and the Debian package that supplies
 # it, so tools installed in another way are left alone. The list is shown before anything is installed; a person is
@@ -42,6 +42,10 @@ test    cmd:dwz                  dwz
 test    cmd:git                  git
 test    cmd:python3              python3
 coverage cmd:lcov                lcov
+docs    cmd:git                  git
+docs    cmd:erl                  erlang-base
+docs    cmd:doxygen              doxygen
+docs    app:edoc                 erlang-edoc
 TABLE
 }
 
@@ -49,9 +53,10 @@ included() {
   case "$purpose" in
     native) [[ $1 = native || $1 = vectors ]] ;; # the vector runner: not needed by `make demo`
     demo) [[ $1 = native || $1 = demo ]] ;;
+    docs) [[ $1 = docs ]] ;;
     coverage) [[ $1 = native || $1 = demo || $1 = coverage ]] ;;
     test | all) true ;;
-    *) echo "setup: unknown purpose '$purpose' (native, demo, test, coverage or all)" >&2; exit 2 ;;
+    *) echo "setup: unknown purpose '$purpose' (native, demo, test, coverage, docs or all)" >&2; exit 2 ;;
   esac
 }
 
@@ -61,7 +66,7 @@ erlang_lib_names() {
     command -v erl >/dev/null 2>&1 || return 1
     erlang_libs=" $(erl -noinput -boot start_clean -eval '
       [case code:lib_dir(A) of {error, _} -> ok; _ -> io:format("~s ", [A]) end
-       || A <- [eunit, syntax_tools, proper, common_test, dialyzer]],
+       || A <- [eunit, syntax_tools, proper, common_test, dialyzer, edoc]],
       [filelib:is_file(F) andalso io:format("~s ", [filename:basename(F)])
        || F <- [filename:join([code:root_dir(), "usr", "include", "erl_nif.h"]),
                 filename:join([case code:lib_dir(proper) of {error, _} -> "/"; D -> D end,

@@ -20,6 +20,7 @@ stages=(
   "dialyzer:scripts/stages/dialyzer.sh"
   "format:scripts/stages/format.sh"
   "lint:scripts/stages/lint.sh"
+  "docs:scripts/stages/docs.sh"
   "fuzz:scripts/stages/fuzz.sh"
 )
 wanted=("$@")

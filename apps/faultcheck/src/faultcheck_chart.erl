@@ -1,8 +1,10 @@
 %% @doc SVG charts for reports: small files, light background, labelled axes.
 %%
-%%     Svg = faultcheck_chart:bars(#{title => "Commands", x_label => "share (%)",
-%%                                   bars => [{"sensor", 77.1}, {"bit_flip", 7.6}]}),
-%%     ok = file:write_file("commands.svg", Svg).
+%% ```
+%% Svg = faultcheck_chart:bars(#{title => "Commands", x_label => "share (%)",
+%%                               bars => [{"sensor", 77.1}, {"bit_flip", 7.6}]}),
+%% ok = file:write_file("commands.svg", Svg).
+%% '''
 %%
 %% Three kinds: bars (one bar a name, horizontal), histogram (counts over a whole-number axis) and
 %% steps (one or more cumulative curves, with a linear or logarithmic x axis). The same input gives

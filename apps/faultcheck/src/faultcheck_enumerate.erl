@@ -1,10 +1,11 @@
 %% @doc Bounded-exhaustive enumeration: checks every item of a space.
 %%
-%%     Space = faultcheck_space:subsets(lists:seq(0, 15), 4),
-%%     Check = fun(Bits, Sut) -> {#{length(Bits) => 1}, [B || B <- [Bits], fires(Sut, B)]} end,
-%%     {ok, #{counts := Counts, found := Found}} =
-%%         faultcheck_enumerate:run(Space, Check, #{start => fun start_sut/0, workers => 2}).
-%%
+%% ```
+%% Space = faultcheck_space:subsets(lists:seq(0, 15), 4),
+%% Check = fun(Bits, Sut) -> {#{length(Bits) => 1}, [B || B <- [Bits], fires(Sut, B)]} end,
+%% {ok, #{counts := Counts, found := Found}} =
+%%     faultcheck_enumerate:run(Space, Check, #{start => fun start_sut/0, workers => 2}).
+%% '''
 %% The check answers with counts, which are summed, and with findings, which are kept in the order
 %% of the items. Work is handed out in chunks of a fixed size and merged in the order of the
 %% chunks, so the result does not depend on the number of workers. With a state file

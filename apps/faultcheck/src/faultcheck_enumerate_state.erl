@@ -1,7 +1,9 @@
 %% @doc The state file of an enumeration: one line of Erlang term text per finished chunk.
 %%
-%%     {faultcheck_enumerate,1,#{chunk => 64,name => ...,size => 2517}}.
-%%     {chunk,0,#{undetected => 3},[...]}.
+%% ```
+%% {faultcheck_enumerate,1,#{chunk => 64,name => ...,size => 2517}}.
+%% {chunk,0,#{undetected => 3},[...]}.
+%% '''
 %%
 %% Lines are only appended. A run that was killed while it wrote leaves an incomplete last line;
 %% it is dropped, and that chunk is done again. Any other line that does not read is an error.

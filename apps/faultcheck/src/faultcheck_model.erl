@@ -2,39 +2,45 @@
 %%
 %% A command X of a model is a block of functions:
 %%
-%%   X_pre(State) -> boolean()                may X be chosen now?           optional
-%%   X_args(State) -> [proper_types:type()]   its arguments                  required
-%%   X_pre(State, Args) -> boolean()          are these arguments valid?     optional
-%%   X(Arg1, ..., ArgN) -> Result             run it                         required
-%%   X_next(State, Result, Args) -> State     what it does to the model      optional
-%%   X_post(State, Args, Result) -> boolean() what the answer must be        optional
-%%   X_req(State, Args, Result) -> [term()]   requirement tags it exercised  optional
+%% ```
+%% X_pre(State) -> boolean()                may X be chosen now?           optional
+%% X_args(State) -> [proper_types:type()]   its arguments                  required
+%% X_pre(State, Args) -> boolean()          are these arguments valid?     optional
+%% X(Arg1, ..., ArgN) -> Result             run it                         required
+%% X_next(State, Result, Args) -> State     what it does to the model      optional
+%% X_post(State, Args, Result) -> boolean() what the answer must be        optional
+%% X_req(State, Args, Result) -> [term()]   requirement tags it exercised  optional
+%% '''
 %%
 %% and the model as a whole has
 %%
-%%   initial_state() -> State                                                required
-%%   weight(State, X) -> non_neg_integer()    how often X is chosen, 0 never optional
-%%   faults() -> [X]                          commands that inject faults    optional
+%% ```
+%% initial_state() -> State                                                required
+%% weight(State, X) -> non_neg_integer()    how often X is chosen, 0 never optional
+%% faults() -> [X]                          commands that inject faults    optional
+%% '''
 %%
 %% What a guided search asks for besides (faultcheck_search); all optional, but for a search
 %% objective/1:
 %%
-%%   objective(State) -> {Value, When, Key}   how near the run has come to failing so far: smaller
-%%                                            is nearer. Asked after each command, in the state
-%%                                            behind it. When: `now', or {time, T} in the unit of
-%%                                            X_duration since the start. Key: who was involved,
-%%                                            any term
-%%   X_duration(Args) -> number()             simulated time that the command takes, 0 if absent;
-%%                                            in a model without any each command takes 1
-%%   X_mutate(Args, Scale, State) -> Args     arguments near Args; absent: faultcheck_perturb
-%%   setting() -> [X]                         commands that set the scene before all others: they
-%%                                            are only moved, never deleted or placed elsewhere
-%%   focus(State, Key) -> State               a state in which X_args addresses those of Key; it
-%%                                            is used to draw arguments, for nothing else
-%%   insertion(State, Key) -> [{X, Types}]    commands to insert together, with the types of their
-%%                                            arguments
-%%   snapshot() -> Ref                        the whole state of the system under test: faults,
-%%   restore(Ref), release(Ref)               queues, random streams, the objective so far
+%% ```
+%% objective(State) -> {Value, When, Key}   how near the run has come to failing so far: smaller
+%%                                          is nearer. Asked after each command, in the state
+%%                                          behind it. When: `now', or {time, T} in the unit of
+%%                                          X_duration since the start. Key: who was involved,
+%%                                          any term
+%% X_duration(Args) -> number()             simulated time that the command takes, 0 if absent;
+%%                                          in a model without any each command takes 1
+%% X_mutate(Args, Scale, State) -> Args     arguments near Args; absent: faultcheck_perturb
+%% setting() -> [X]                         commands that set the scene before all others: they
+%%                                          are only moved, never deleted or placed elsewhere
+%% focus(State, Key) -> State               a state in which X_args addresses those of Key; it
+%%                                          is used to draw arguments, for nothing else
+%% insertion(State, Key) -> [{X, Types}]    commands to insert together, with the types of their
+%%                                          arguments
+%% snapshot() -> Ref                        the whole state of the system under test: faults,
+%% restore(Ref), release(Ref)               queues, random streams, the objective so far
+%% '''
 %%
 %% X_next also runs while commands are generated; the result is then a symbolic
 %% variable {var,N}, so it must not look inside it.

@@ -4,17 +4,19 @@
 %% told by Continue(Verdict) whether the failure is still there. faultcheck_statem lets
 %% PropEr's shrink loop drive it; minimise/5 drives it with a function.
 %%
-%%   0  confirm: the original is run again `confirm' times. If it passes once, it is flaky
-%%      and not shrunk
-%%   1  cut behind the command that failed
-%%   2  remove chunks of n/2, n/4, ..., 1 commands, from the end to the front; single
-%%      commands until a whole pass removes nothing
-%%   3  shrink arguments (faultcheck_argument_shrinker), command by command until nothing
-%%      changes; after any change single commands are tried again
-%%   4  the same with every value near the simplest one of each number, `linear' of them
-%%   5  remove a command while a value moves by one bit (faultcheck_joint_shrinker); after a
-%%      success single commands are tried again
-%%   6  renumber the variables
+%% ```
+%% 0  confirm: the original is run again `confirm' times. If it passes once, it is flaky
+%%    and not shrunk
+%% 1  cut behind the command that failed
+%% 2  remove chunks of n/2, n/4, ..., 1 commands, from the end to the front; single
+%%    commands until a whole pass removes nothing
+%% 3  shrink arguments (faultcheck_argument_shrinker), command by command until nothing
+%%    changes; after any change single commands are tried again
+%% 4  the same with every value near the simplest one of each number, `linear' of them
+%% 5  remove a command while a value moves by one bit (faultcheck_joint_shrinker); after a
+%%    success single commands are tried again
+%% 6  renumber the variables
+%% '''
 %%
 %% Every candidate is made legal by faultcheck_repair first, and none is tried twice. The
 %% result is minimal: no single command can be removed and no argument shrunk by one step.

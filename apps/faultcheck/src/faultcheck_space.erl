@@ -2,9 +2,11 @@
 %%
 %% A space is a map with its size and a function from 0..Size-1 to the item:
 %%
-%%     S = faultcheck_space:subsets([a, b, c], 2),
-%%     [faultcheck_space:at(I, S) || I <- lists:seq(0, 6)].
-%%     %% [[], [a], [b], [c], [a,b], [a,c], [b,c]]
+%% ```
+%% S = faultcheck_space:subsets([a, b, c], 2),
+%% [faultcheck_space:at(I, S) || I <- lists:seq(0, 6)].
+%% %% [[], [a], [b], [c], [a,b], [a,c], [b,c]]
+%% '''
 %%
 %% faultcheck_enumerate walks through a space.
 -module(faultcheck_space).

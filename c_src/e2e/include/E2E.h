@@ -6,9 +6,9 @@
  *
  * Units      offsets and DataLength, MinDataLength, MaxDataLength in configurations are in bits;
  *            Length arguments are in bytes and count the whole protected data, header included.
- * Ownership  the caller owns everything; the library keeps no pointer, no heap, no variable of its
- * own. Threads    every function may be called from any thread; two threads must not share one
- * state. Errors     a Check that returns anything but E2E_E_OK leaves Status as it was. */
+ * Ownership  the caller owns everything; the library keeps no pointer, no heap, no variable.
+ * Threads    every function may be called from any thread; two must not share one state.
+ * Errors     a Check that returns anything but E2E_E_OK leaves Status as it was. */
 #ifndef E2E_H
 #define E2E_H
 

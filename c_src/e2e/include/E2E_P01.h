@@ -21,42 +21,46 @@ typedef enum {
 } E2E_P01DataIDMode;
 
 /* Offsets in bits: o addresses byte o / 8, low nibble when o % 8 is 0, high nibble when it is 4. */
+/* What sender and receiver have agreed on. */
 typedef struct {
-    uint16 CounterOffset;      /* multiple of 4 */
-    uint16 CRCOffset;          /* multiple of 8 */
-    uint16 DataID;             /* see DataIDMode for its limits */
-    uint16 DataIDNibbleOffset; /* multiple of 4; NIBBLE mode only */
-    E2E_P01DataIDMode DataIDMode;
+    uint16 CounterOffset;         /* multiple of 4 */
+    uint16 CRCOffset;             /* multiple of 8 */
+    uint16 DataID;                /* see DataIDMode for its limits */
+    uint16 DataIDNibbleOffset;    /* multiple of 4; NIBBLE mode only */
+    E2E_P01DataIDMode DataIDMode; /* which bytes of it enter the CRC */
     uint16 DataLength;            /* bits, multiple of 8; what the CRC covers */
     uint8 MaxDeltaCounterInit;    /* largest accepted step of the counter after valid data, 0..14 */
     uint8 MaxNoNewOrRepeatedData; /* 0..14; more checks without new data demand a new SYNC */
     uint8 SyncCounterInit;        /* valid packets needed to leave SYNC, 0..14 */
 } E2E_P01ConfigType;
 
+/* The sender's state: one for each stream of packets. */
 typedef struct {
     uint8 Counter; /* of the next packet, 0..14 */
 } E2E_P01ProtectStateType;
 
+/* The verdict on a packet. */
 typedef enum {
-    E2E_P01STATUS_OK = 0x00,
-    E2E_P01STATUS_NONEWDATA = 0x01,
-    E2E_P01STATUS_WRONGCRC = 0x02,
-    E2E_P01STATUS_SYNC = 0x03,
-    E2E_P01STATUS_INITIAL = 0x04,
-    E2E_P01STATUS_REPEATED = 0x08,
-    E2E_P01STATUS_OKSOMELOST = 0x20,
-    E2E_P01STATUS_WRONGSEQUENCE = 0x40
+    E2E_P01STATUS_OK = 0x00,           /* intact, and the next one */
+    E2E_P01STATUS_NONEWDATA = 0x01,    /* nothing has come since the check before */
+    E2E_P01STATUS_WRONGCRC = 0x02,     /* corrupted */
+    E2E_P01STATUS_SYNC = 0x03,         /* intact, but not trusted yet after a jump or a silence */
+    E2E_P01STATUS_INITIAL = 0x04,      /* intact, and the first one */
+    E2E_P01STATUS_REPEATED = 0x08,     /* the counter of the packet before */
+    E2E_P01STATUS_OKSOMELOST = 0x20,   /* intact; some were lost before it, not too many */
+    E2E_P01STATUS_WRONGSEQUENCE = 0x40 /* intact; too many were lost before it */
 } E2E_P01CheckStatusType;
 
+/* The receiver's state: one for each stream of packets. */
 typedef struct {
-    uint8 LastValidCounter;
-    uint8 MaxDeltaCounter;
-    boolean WaitForFirstData;
+    uint8 LastValidCounter;   /* of the last valid packet */
+    uint8 MaxDeltaCounter;    /* accepted now: one more for each check without a valid packet */
+    boolean WaitForFirstData; /* until the first valid packet */
     boolean NewDataAvailable; /* set by the caller before each check */
     uint8 LostData;           /* packets missed; meaningful with OK and OKSOMELOST only */
-    E2E_P01CheckStatusType Status;
-    uint8 SyncCounter;
-    uint8 NoNewOrRepeatedDataCounter;
+    E2E_P01CheckStatusType Status;    /* of the last check */
+    uint8 SyncCounter;                /* valid packets still needed to leave SYNC */
+    uint8 NoNewOrRepeatedDataCounter; /* checks in succession without new data */
 } E2E_P01CheckStateType;
 
 /* Say whether a configuration is one the standard describes: offsets aligned, DataLength 16..240,

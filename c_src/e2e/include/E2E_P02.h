@@ -9,6 +9,7 @@
 extern "C" {
 #endif
 
+/* What sender and receiver have agreed on. */
 typedef struct {
     uint16 DataLength;            /* bits, multiple of 8, 16..2048 */
     uint8 DataIDList[16];         /* the Data ID that goes with each counter value */
@@ -18,30 +19,33 @@ typedef struct {
     uint16 Offset;                /* of the header, bits, multiple of 8; not 0: as profile 22 */
 } E2E_P02ConfigType;
 
+/* The sender's state: one for each stream of packets. */
 typedef struct {
     uint8 Counter; /* of the packet sent last, 0..15; the next one carries one more */
 } E2E_P02ProtectStateType;
 
+/* The verdict on a packet. */
 typedef enum {
-    E2E_P02STATUS_OK = 0x00,
-    E2E_P02STATUS_NONEWDATA = 0x01,
-    E2E_P02STATUS_WRONGCRC = 0x02,
-    E2E_P02STATUS_SYNC = 0x03,
-    E2E_P02STATUS_INITIAL = 0x04,
-    E2E_P02STATUS_REPEATED = 0x08,
-    E2E_P02STATUS_OKSOMELOST = 0x20,
-    E2E_P02STATUS_WRONGSEQUENCE = 0x40
+    E2E_P02STATUS_OK = 0x00,           /* intact, and the next one */
+    E2E_P02STATUS_NONEWDATA = 0x01,    /* nothing has come since the check before */
+    E2E_P02STATUS_WRONGCRC = 0x02,     /* corrupted */
+    E2E_P02STATUS_SYNC = 0x03,         /* intact, but not trusted yet after a jump or a silence */
+    E2E_P02STATUS_INITIAL = 0x04,      /* intact, and the first one */
+    E2E_P02STATUS_REPEATED = 0x08,     /* the counter of the packet before */
+    E2E_P02STATUS_OKSOMELOST = 0x20,   /* intact; some were lost before it, not too many */
+    E2E_P02STATUS_WRONGSEQUENCE = 0x40 /* intact; too many were lost before it */
 } E2E_P02CheckStatusType;
 
+/* The receiver's state: one for each stream of packets. */
 typedef struct {
-    uint8 LastValidCounter;
-    uint8 MaxDeltaCounter;
-    boolean WaitForFirstData;
+    uint8 LastValidCounter;   /* of the last valid packet */
+    uint8 MaxDeltaCounter;    /* accepted now: one more for each check without a valid packet */
+    boolean WaitForFirstData; /* until the first valid packet */
     boolean NewDataAvailable; /* set by the caller before each check */
     uint8 LostData;           /* packets missed; meaningful with OK and OKSOMELOST only */
-    E2E_P02CheckStatusType Status;
-    uint8 SyncCounter;
-    uint8 NoNewOrRepeatedDataCounter;
+    E2E_P02CheckStatusType Status;    /* of the last check */
+    uint8 SyncCounter;                /* valid packets still needed to leave SYNC */
+    uint8 NoNewOrRepeatedDataCounter; /* checks in succession without new data */
 } E2E_P02CheckStateType;
 
 /* Say whether a configuration is one the standard describes: DataLength and Offset multiples of 8,

@@ -9,30 +9,34 @@
 extern "C" {
 #endif
 
+/* What sender and receiver have agreed on. */
 typedef struct {
-    uint16 Offset;        /* of the header, bits, multiple of 8 */
-    uint16 MinDataLength; /* bits */
-    uint16 MaxDataLength; /* bits, at most 32768 */
-    uint16 DataID;
+    uint16 Offset;         /* of the header, bits, multiple of 8 */
+    uint16 MinDataLength;  /* bits */
+    uint16 MaxDataLength;  /* bits, at most 32768 */
+    uint16 DataID;         /* known to both sides */
     uint8 MaxDeltaCounter; /* largest accepted step of the counter */
 } E2E_P06ConfigType;
 
+/* The sender's state: one for each stream of packets. */
 typedef struct {
     uint8 Counter; /* of the next packet */
 } E2E_P06ProtectStateType;
 
+/* The verdict on a packet. */
 typedef enum {
-    E2E_P06STATUS_OK = 0x00,
-    E2E_P06STATUS_NONEWDATA = 0x01,
-    E2E_P06STATUS_ERROR = 0x07,
-    E2E_P06STATUS_REPEATED = 0x08,
-    E2E_P06STATUS_OKSOMELOST = 0x20,
-    E2E_P06STATUS_WRONGSEQUENCE = 0x40
+    E2E_P06STATUS_OK = 0x00,           /* intact, and the next one */
+    E2E_P06STATUS_NONEWDATA = 0x01,    /* nothing has come since the check before */
+    E2E_P06STATUS_ERROR = 0x07,        /* corrupted, or not of this sender */
+    E2E_P06STATUS_REPEATED = 0x08,     /* the counter of the packet before */
+    E2E_P06STATUS_OKSOMELOST = 0x20,   /* intact; some were lost before it, not too many */
+    E2E_P06STATUS_WRONGSEQUENCE = 0x40 /* intact; too many were lost before it */
 } E2E_P06CheckStatusType;
 
+/* The receiver's state: one for each stream of packets. */
 typedef struct {
-    E2E_P06CheckStatusType Status;
-    uint8 Counter; /* received last */
+    E2E_P06CheckStatusType Status; /* of the last check */
+    uint8 Counter;                 /* received last */
 } E2E_P06CheckStateType;
 
 /* Say whether a configuration is one the standard describes: Offset a multiple of 8,

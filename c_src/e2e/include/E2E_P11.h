@@ -15,32 +15,36 @@ typedef enum {
     E2E_P11_DATAID_NIBBLE = 3 /* low byte, 0; bits 8..11 are sent in the packet */
 } E2E_P11DataIDMode;
 
+/* What sender and receiver have agreed on. */
 typedef struct {
-    uint16 CounterOffset;      /* bits, multiple of 4 */
-    uint16 CRCOffset;          /* bits, multiple of 8 */
-    uint16 DataID;             /* NIBBLE mode: at most 0x0FFF */
-    uint16 DataIDNibbleOffset; /* bits, multiple of 4; NIBBLE mode only */
-    E2E_P11DataIDMode DataIDMode;
-    uint16 DataLength;     /* bits, multiple of 8 */
-    uint8 MaxDeltaCounter; /* largest accepted step of the counter, 1..14 */
+    uint16 CounterOffset;         /* bits, multiple of 4 */
+    uint16 CRCOffset;             /* bits, multiple of 8 */
+    uint16 DataID;                /* NIBBLE mode: at most 0x0FFF */
+    uint16 DataIDNibbleOffset;    /* bits, multiple of 4; NIBBLE mode only */
+    E2E_P11DataIDMode DataIDMode; /* which bytes of it enter the CRC */
+    uint16 DataLength;            /* bits, multiple of 8 */
+    uint8 MaxDeltaCounter;        /* largest accepted step of the counter, 1..14 */
 } E2E_P11ConfigType;
 
+/* The sender's state: one for each stream of packets. */
 typedef struct {
     uint8 Counter; /* of the next packet */
 } E2E_P11ProtectStateType;
 
+/* The verdict on a packet. */
 typedef enum {
-    E2E_P11STATUS_OK = 0x00,
-    E2E_P11STATUS_NONEWDATA = 0x01,
-    E2E_P11STATUS_ERROR = 0x07,
-    E2E_P11STATUS_REPEATED = 0x08,
-    E2E_P11STATUS_OKSOMELOST = 0x20,
-    E2E_P11STATUS_WRONGSEQUENCE = 0x40
+    E2E_P11STATUS_OK = 0x00,           /* intact, and the next one */
+    E2E_P11STATUS_NONEWDATA = 0x01,    /* nothing has come since the check before */
+    E2E_P11STATUS_ERROR = 0x07,        /* corrupted, or not of this sender */
+    E2E_P11STATUS_REPEATED = 0x08,     /* the counter of the packet before */
+    E2E_P11STATUS_OKSOMELOST = 0x20,   /* intact; some were lost before it, not too many */
+    E2E_P11STATUS_WRONGSEQUENCE = 0x40 /* intact; too many were lost before it */
 } E2E_P11CheckStatusType;
 
+/* The receiver's state: one for each stream of packets. */
 typedef struct {
-    E2E_P11CheckStatusType Status;
-    uint8 Counter; /* received last */
+    E2E_P11CheckStatusType Status; /* of the last check */
+    uint8 Counter;                 /* received last */
 } E2E_P11CheckStateType;
 
 /* Say whether a configuration is one the standard describes: offsets aligned, DataLength 16..240

@@ -9,6 +9,7 @@
 extern "C" {
 #endif
 
+/* What sender and receiver have agreed on. */
 typedef struct {
     uint16 DataLength;     /* bits, multiple of 8 */
     uint8 DataIDList[16];  /* the Data ID that goes with each counter value */
@@ -16,22 +17,25 @@ typedef struct {
     uint16 Offset;         /* of the header, bits, multiple of 8 */
 } E2E_P22ConfigType;
 
+/* The sender's state: one for each stream of packets. */
 typedef struct {
     uint8 Counter; /* Counter of the packet sent last, 0..15; the next one carries one more */
 } E2E_P22ProtectStateType;
 
+/* The verdict on a packet. */
 typedef enum {
-    E2E_P22STATUS_OK = 0x00,
-    E2E_P22STATUS_NONEWDATA = 0x01,
-    E2E_P22STATUS_ERROR = 0x07,
-    E2E_P22STATUS_REPEATED = 0x08,
-    E2E_P22STATUS_OKSOMELOST = 0x20,
-    E2E_P22STATUS_WRONGSEQUENCE = 0x40
+    E2E_P22STATUS_OK = 0x00,           /* intact, and the next one */
+    E2E_P22STATUS_NONEWDATA = 0x01,    /* nothing has come since the check before */
+    E2E_P22STATUS_ERROR = 0x07,        /* corrupted, or not of this sender */
+    E2E_P22STATUS_REPEATED = 0x08,     /* the counter of the packet before */
+    E2E_P22STATUS_OKSOMELOST = 0x20,   /* intact; some were lost before it, not too many */
+    E2E_P22STATUS_WRONGSEQUENCE = 0x40 /* intact; too many were lost before it */
 } E2E_P22CheckStatusType;
 
+/* The receiver's state: one for each stream of packets. */
 typedef struct {
-    E2E_P22CheckStatusType Status;
-    uint8 Counter; /* received last */
+    E2E_P22CheckStatusType Status; /* of the last check */
+    uint8 Counter;                 /* received last */
 } E2E_P22CheckStateType;
 
 /* Say whether a configuration is one the standard describes: Offset and DataLength multiples of

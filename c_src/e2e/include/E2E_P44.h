@@ -8,30 +8,34 @@
 extern "C" {
 #endif
 
+/* What sender and receiver have agreed on. */
 typedef struct {
-    uint32 DataID;
+    uint32 DataID;          /* known to both sides */
     uint32 Offset;          /* of the header, bits, multiple of 8 */
     uint32 MinDataLength;   /* bits */
     uint32 MaxDataLength;   /* bits, at most 524280 */
     uint16 MaxDeltaCounter; /* largest accepted step of the counter */
 } E2E_P44ConfigType;
 
+/* The sender's state: one for each stream of packets. */
 typedef struct {
     uint16 Counter; /* of the next packet */
 } E2E_P44ProtectStateType;
 
+/* The verdict on a packet. */
 typedef enum {
-    E2E_P44STATUS_OK = 0x00,
-    E2E_P44STATUS_NONEWDATA = 0x01,
-    E2E_P44STATUS_ERROR = 0x07,
-    E2E_P44STATUS_REPEATED = 0x08,
-    E2E_P44STATUS_OKSOMELOST = 0x20,
-    E2E_P44STATUS_WRONGSEQUENCE = 0x40
+    E2E_P44STATUS_OK = 0x00,           /* intact, and the next one */
+    E2E_P44STATUS_NONEWDATA = 0x01,    /* nothing has come since the check before */
+    E2E_P44STATUS_ERROR = 0x07,        /* corrupted, or not of this sender */
+    E2E_P44STATUS_REPEATED = 0x08,     /* the counter of the packet before */
+    E2E_P44STATUS_OKSOMELOST = 0x20,   /* intact; some were lost before it, not too many */
+    E2E_P44STATUS_WRONGSEQUENCE = 0x40 /* intact; too many were lost before it */
 } E2E_P44CheckStatusType;
 
+/* The receiver's state: one for each stream of packets. */
 typedef struct {
-    E2E_P44CheckStatusType Status;
-    uint16 Counter; /* received last */
+    E2E_P44CheckStatusType Status; /* of the last check */
+    uint16 Counter;                /* received last */
 } E2E_P44CheckStateType;
 
 /* Say whether a configuration is one the standard describes: Offset a multiple of 8,

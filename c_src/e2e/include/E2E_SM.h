@@ -15,34 +15,36 @@
 extern "C" {
 #endif
 
+/* What a communication is worth. */
 typedef enum {
-    E2E_SM_VALID = 0,
+    E2E_SM_VALID = 0,  /* use the data */
     E2E_SM_DEINIT = 1, /* not initialised */
     E2E_SM_NODATA = 2, /* nothing usable received yet */
-    E2E_SM_INIT = 3,
-    E2E_SM_INVALID = 4
+    E2E_SM_INIT = 3,   /* packets come, not enough to judge */
+    E2E_SM_INVALID = 4 /* do not use the data */
 } E2E_SMStateType;
 
 /* For each state: how many of the newest verdicts count, and the limits on them. */
 typedef struct {
-    uint8 WindowSizeValid; /* at least 1, and not below the other two */
-    uint8 WindowSizeInit;
-    uint8 WindowSizeInvalid;
-    uint8 MinOkStateInit;
-    uint8 MaxErrorStateInit;
-    uint8 MinOkStateValid;
-    uint8 MaxErrorStateValid;
-    uint8 MinOkStateInvalid;
-    uint8 MaxErrorStateInvalid;
-    boolean ClearToInvalid; /* forget all verdicts on the way to INVALID */
+    uint8 WindowSizeValid;      /* at least 1, and not below the other two */
+    uint8 WindowSizeInit;       /* in INIT */
+    uint8 WindowSizeInvalid;    /* in INVALID */
+    uint8 MinOkStateInit;       /* E2E_P_OK needed to go from INIT to VALID */
+    uint8 MaxErrorStateInit;    /* E2E_P_ERROR allowed in INIT */
+    uint8 MinOkStateValid;      /* needed to stay in VALID */
+    uint8 MaxErrorStateValid;   /* allowed in VALID */
+    uint8 MinOkStateInvalid;    /* needed to go from INVALID to VALID */
+    uint8 MaxErrorStateInvalid; /* allowed on that way */
+    boolean ClearToInvalid;     /* forget all verdicts on the way to INVALID */
 } E2E_SMConfigType;
 
+/* One for each communication. */
 typedef struct {
     uint8 *ProfileStatusWindow; /* the caller's, WindowSizeValid entries */
     uint8 WindowTopIndex;       /* where the next verdict goes */
-    uint8 OkCount;
-    uint8 ErrorCount;
-    E2E_SMStateType SMState;
+    uint8 OkCount;              /* E2E_P_OK among those that count */
+    uint8 ErrorCount;           /* E2E_P_ERROR among them */
+    E2E_SMStateType SMState;    /* the result */
 } E2E_SMCheckStateType;
 
 /* Say whether a configuration is one the standard describes: WindowSizeValid at least 1 and the

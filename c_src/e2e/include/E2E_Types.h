@@ -12,18 +12,19 @@
 #else
 #include <stdint.h>
 
+/* Unsigned integers of that many bits. */
 typedef uint8_t uint8;
 typedef uint16_t uint16;
 typedef uint32_t uint32;
 typedef uint64_t uint64;
-typedef uint8 boolean; /* TRUE or FALSE */
-typedef uint8 Std_ReturnType;
+typedef uint8 boolean;        /* TRUE or FALSE */
+typedef uint8 Std_ReturnType; /* E2E_E_OK or another E2E_E_ code */
 
 #ifndef TRUE
-#define TRUE 1
+#define TRUE 1 /* boolean */
 #endif
 #ifndef FALSE
-#define FALSE 0
+#define FALSE 0 /* boolean */
 #endif
 #endif
 

@@ -2,6 +2,7 @@
 #ifndef FAULTCHECK_TYPES_H
 #define FAULTCHECK_TYPES_H
 
+/* The faults of probes. */
 typedef enum {
     FAULT_NONE = 0,
     FAULT_BITFLIP = 1,
@@ -12,6 +13,7 @@ typedef enum {
     FAULT_SET_TO = 6
 } FAULT_TYPE;
 
+/* The triggers of the original. fc_trigger.h offers more. */
 typedef enum {
     TRG_PERMANENT = 0,
     TRG_AFTER_ITR = 1,
@@ -19,6 +21,7 @@ typedef enum {
     TRG_RANDOM_ONCE = 3
 } TRIGGER_TYPE;
 
+/* The faults of packet channels. */
 typedef enum {
     PACKET_FAULT_NONE = 0,
     PACKET_FAULT_DROP = 1,

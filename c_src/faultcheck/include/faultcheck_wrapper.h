@@ -40,6 +40,7 @@ FC_API void faultcheck_setTriggerAfterIterations(const char *identifier, unsigne
 /* How many calls are affected once triggered: 0 none, negative without limit. */
 FC_API void faultcheck_setDurationAfterTrigger(const char *identifier, int iterations);
 
+/* Disarm one identifier, or all. */
 FC_API void faultcheck_removeAllFaultsIdentifier(const char *identifier);
 FC_API void faultcheck_removeAllFaults(void);
 

@@ -50,10 +50,10 @@ FC_API fc_fault_id fc_channel_add_corruption(fc_context *ctx, const char *channe
 
 /* A typed field of a packet. */
 typedef struct {
-    size_t offset;
-    fc_type type;
-    bool big_endian;
-    size_t length; /* of FC_BYTES; 0: up to the end of the packet */
+    size_t offset;   /* of its first byte */
+    fc_type type;    /* any, FC_BYTES too */
+    bool big_endian; /* byte order; FC_BYTES has none */
+    size_t length;   /* of FC_BYTES; 0: up to the end of the packet */
 } fc_field;
 
 /* Any model on a field. FC_E_ARG for a NULL or unknown type, and as fc_add_model. */

@@ -12,6 +12,7 @@
 extern "C" {
 #endif
 
+/* Identifiers, faults, channels, seed, clock and errors of their own. */
 typedef struct fc_context fc_context;
 
 /* Above 0: names one fault of a context until it is removed. Below 0: an FC_E_ code. */
@@ -44,15 +45,18 @@ typedef struct {
     const char *text;  /* one line: what, where, what would be right */
 } fc_error;
 
+/* Told of each error; called without a lock held, from the thread that met it. */
 typedef void (*fc_error_fn)(void *user, const fc_error *error);
 
+/* What a context begins with; start from FC_OPTIONS_INIT. */
 typedef struct {
     size_t size;          /* sizeof(fc_options) */
     uint64_t seed;        /* of the random streams; fc_reset returns to it */
     fc_error_fn on_error; /* NULL: one line to stderr per fault and cause */
-    void *error_user;
+    void *error_user;     /* handed to on_error */
 } fc_options;
 
+/* Seed 1, errors to stderr. */
 /* clang-format off */
 #define FC_OPTIONS_INIT {sizeof(fc_options), 1, NULL, NULL}
 /* clang-format on */
@@ -87,6 +91,7 @@ FC_API uint64_t fc_error_count(fc_context *ctx);
 FC_API int fc_last_error(void);
 /* "" if there was none; valid until the thread's next error. */
 FC_API const char *fc_last_error_text(void);
+/* Forget it. */
 FC_API void fc_clear_last_error(void);
 
 /* Nanoseconds from any origin; called without a lock held, from the thread that probes. */
@@ -99,6 +104,7 @@ FC_API void fc_set_clock(fc_context *ctx, fc_clock_fn clock, void *user);
  * never moves by itself. fc_reset puts it back to 0. */
 FC_API void fc_advance(fc_context *ctx, int64_t ns);
 
+/* The time of the context's clock, in nanoseconds. */
 FC_API int64_t fc_now(fc_context *ctx);
 
 #ifdef __cplusplus

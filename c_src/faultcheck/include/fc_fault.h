@@ -38,46 +38,84 @@ typedef enum {
 
 enum {
     FC_HOLD = 0, /* the last value that got through; the first input if none did */
-    FC_ZERO = 1,
-    FC_NAN = 2 /* floats only */
+    FC_ZERO = 1, /* 0 */
+    FC_NAN = 2   /* floats only */
 };
 
+/* A model with its parameters; those that the model does not mention are ignored. */
 typedef struct {
-    int kind; /* fc_model_kind */
-    double a;
-    double b;
-    int64_t n;
+    int kind;  /* fc_model_kind */
+    double a;  /* as the model says */
+    double b;  /* as the model says */
+    int64_t n; /* as the model says */
 } fc_model;
 
-/* A fault id; FC_E_NOMEM; FC_E_BIT for a bit below 0; FC_E_ARG for a parameter outside its range:
- * n >= 0 for DELAY, n >= 1 for RAMP and OSCILLATE, a > 0 for QUANTISE, 0 <= a <= 1 for DROPOUT and
- * SPIKE, a <= b for SATURATE and RANDOM_OFFSET, b >= 0 for DRIFT, a NaN except in AMPLIFICATION,
- * OFFSET and SET_TO. */
+/* Arm a model on a probe. A fault id; FC_E_NOMEM; FC_E_BIT for a bit below 0; FC_E_ARG for a
+ * parameter outside its range: n >= 0 for DELAY, n >= 1 for RAMP and OSCILLATE, a > 0 for QUANTISE,
+ * 0 <= a <= 1 for DROPOUT and SPIKE, a <= b for SATURATE and RANDOM_OFFSET, b >= 0 for DRIFT, a NaN
+ * except in AMPLIFICATION, OFFSET and SET_TO. The functions below give the same results. */
 FC_API fc_fault_id fc_add_model(fc_context *ctx, const char *id, const fc_model *model);
 
-/* The same, model by model. */
+/* Invert a bit, 0 the least significant. */
 FC_API fc_fault_id fc_add_bitflip(fc_context *ctx, const char *id, int bit);
+
+/* Invert a bit that is drawn anew for each affected call. */
 FC_API fc_fault_id fc_add_bitflip_random(fc_context *ctx, const char *id);
+
+/* Hold the value of the window's first call. */
 FC_API fc_fault_id fc_add_stuck(fc_context *ctx, const char *id);
+
+/* Force a bit. */
 FC_API fc_fault_id fc_add_stuck_bit(fc_context *ctx, const char *id, int bit, bool value);
+
+/* Multiply. */
 FC_API fc_fault_id fc_add_amplification(fc_context *ctx, const char *id, double factor);
+
+/* Add a constant. */
 FC_API fc_fault_id fc_add_offset(fc_context *ctx, const char *id, double constant);
+
+/* Replace by a value. */
 FC_API fc_fault_id fc_add_set_to(fc_context *ctx, const char *id, double value);
+
+/* Add even noise between -amplitude and amplitude. */
 FC_API fc_fault_id fc_add_noise_uniform(fc_context *ctx, const char *id, double amplitude);
+
+/* Add normal noise of that standard deviation; never more than six of them. */
 FC_API fc_fault_id fc_add_noise_gauss(fc_context *ctx, const char *id, double deviation);
+
+/* Add a number drawn evenly between low and high. */
 FC_API fc_fault_id fc_add_random_offset(fc_context *ctx, const char *id, double low, double high);
-/* limit: INFINITY for none. */
+
+/* Add per_call more at each affected call, at most limit in all (INFINITY: no limit). */
 FC_API fc_fault_id fc_add_drift(fc_context *ctx, const char *id, double per_call, double limit);
+
+/* Add per_second for each second of context time since the window's first call, at most limit. */
 FC_API fc_fault_id fc_add_drift_timed(fc_context *ctx, const char *id, double per_second,
                                       double limit);
+
+/* Go from the window's first value to target in that many calls. */
 FC_API fc_fault_id fc_add_ramp(fc_context *ctx, const char *id, double target, int64_t calls);
+
+/* Give the value of that many affected calls ago. */
 FC_API fc_fault_id fc_add_delay(fc_context *ctx, const char *id, int64_t calls);
+
+/* Round to multiples of step. */
 FC_API fc_fault_id fc_add_quantise(fc_context *ctx, const char *id, double step);
+
+/* Give centre for all values closer to it than width. */
 FC_API fc_fault_id fc_add_dead_zone(fc_context *ctx, const char *id, double centre, double width);
+
+/* Limit to low..high. */
 FC_API fc_fault_id fc_add_saturate(fc_context *ctx, const char *id, double low, double high);
+
+/* Add a sine with a period of that many calls. */
 FC_API fc_fault_id fc_add_oscillate(fc_context *ctx, const char *id, double amplitude,
                                     int64_t calls);
+
+/* With that probability give what mode says: FC_HOLD, FC_ZERO or FC_NAN. */
 FC_API fc_fault_id fc_add_dropout(fc_context *ctx, const char *id, double probability, int mode);
+
+/* With that probability add or subtract height. */
 FC_API fc_fault_id fc_add_spike(fc_context *ctx, const char *id, double probability, double height);
 
 /* The fault added last to id, or FC_E_NO_FAULT if there is none or the latest was refused. */

@@ -9,40 +9,42 @@
 extern "C" {
 #endif
 
+/* Where the iteration window of a fault stands. */
 typedef enum {
     FC_WAITING,   /* calls are left before the first affected one */
     FC_ACTIVE,    /* the iteration window is open; other triggers may still hold it back */
     FC_EXHAUSTED, /* the duration is used up */
-    FC_DISABLED
+    FC_DISABLED   /* by fc_enable */
 } fc_trigger_state;
 
 /* A fault; one on a channel that is met at gets is listed once for each receiver. */
 typedef struct {
-    fc_fault_id id;
-    const char *model; /* "offset", "drop", ... */
-    double a;          /* parameters as in fc_model */
-    double b;
-    int64_t n; /* byte, count or position of a fault on a channel */
-    const char *receiver;
-    fc_trigger_state state;
-    uint64_t calls_left; /* FC_WAITING */
-    uint64_t triggered;
-    uint64_t applied; /* of those, value changed or not */
-    uint64_t skipped; /* of those */
-    int last_error;   /* of the skipped ones, or FC_OK */
+    fc_fault_id id;         /* as the function gave that added it */
+    const char *model;      /* "offset", "drop", ... */
+    double a;               /* parameters as in fc_model */
+    double b;               /* the same */
+    int64_t n;              /* byte, count or position of a fault on a channel */
+    const char *receiver;   /* of a fault met at gets; else "" */
+    fc_trigger_state state; /* now */
+    uint64_t calls_left;    /* FC_WAITING */
+    uint64_t triggered;     /* calls that met it, triggers open */
+    uint64_t applied;       /* of those, value changed or not */
+    uint64_t skipped;       /* of those */
+    int last_error;         /* of the skipped ones, or FC_OK */
 } fc_listed_fault;
 
 /* An identifier or a channel. What it points to is valid during the visit only. */
 typedef struct {
-    const char *id;
-    bool is_channel;
-    uint32_t types; /* bit T: probed or monitored as the fc_type T */
-    uint64_t calls; /* probe and monitor calls, while counted; gets */
-    uint64_t puts;
-    const fc_listed_fault *faults;
-    size_t fault_count;
+    const char *id;                /* its name */
+    bool is_channel;               /* probes and channels have separate name spaces */
+    uint32_t types;                /* bit T: probed or monitored as the fc_type T */
+    uint64_t calls;                /* probe and monitor calls, while counted; gets */
+    uint64_t puts;                 /* of a channel */
+    const fc_listed_fault *faults; /* in the order of adding */
+    size_t fault_count;            /* of them */
 } fc_listed;
 
+/* Called for each identifier and channel. */
 typedef void (*fc_list_fn)(void *user, const fc_listed *listed);
 
 /* Every identifier and channel seen or armed since fc_new or fc_reset, sorted by name, probes

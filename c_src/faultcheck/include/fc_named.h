@@ -16,12 +16,13 @@ typedef enum {
     FC_TAKES_TEXT    /* a text, as fc_parameter says */
 } fc_takes;
 
+/* A parameter of a model. */
 typedef struct {
     const char *name;  /* "value", "low" ... */
     const char *other; /* a second name that means the same, the symbol of the model; or NULL */
-    fc_takes takes;
-    bool required;
-    const char *text; /* one line: what it is, and the value when it is left out */
+    fc_takes takes;    /* what kind of value */
+    bool required;     /* or has a value of its own */
+    const char *text;  /* one line: what it is, and the value when it is left out */
 } fc_parameter;
 
 /* The names of all models of probes, or of channels: the index-th from 0, or NULL. */
@@ -32,9 +33,9 @@ FC_API const fc_parameter *fc_model_parameter(bool of_channels, const char *mode
 
 /* A parameter with its value. */
 typedef struct {
-    const char *name;
+    const char *name; /* of the parameter */
     const char *text; /* NULL: the value is the number */
-    double number;
+    double number;    /* the value, when text is NULL */
 } fc_argument;
 
 /* Arm a fault on a probe or a channel. A fault id, or as the fc_add_ or fc_channel_add_ function of

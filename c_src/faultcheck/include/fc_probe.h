@@ -9,6 +9,7 @@
 extern "C" {
 #endif
 
+/* The types of probed values. */
 typedef enum {
     FC_F32,
     FC_F64,
@@ -50,8 +51,8 @@ FC_API int fc_num_active(fc_context *ctx, const char *id);
  * macros compile to nothing. */
 typedef struct {
     const unsigned char *state; /* points to 0 while the probe is idle */
-    void *probe;
-    fc_context *context; /* NULL: the default one */
+    void *probe;                /* the record; the library's own */
+    fc_context *context;        /* NULL: the default one */
 } fc_handle;
 
 /* What the macros, and the probes of fc_resolve.h, call when the probe is not idle, or not known
@@ -82,6 +83,7 @@ static const unsigned char fc_handle_new_ __attribute__((unused)) = 1;
     } while (0)
 #endif
 
+/* A probe of the default context: id a string literal, value a pointer to that type. */
 #define FC_PROBE_F32(id, value) FC_PROBE_WITH_(fc_handle_f32, id, value)
 #define FC_PROBE_F64(id, value) FC_PROBE_WITH_(fc_handle_f64, id, value)
 #define FC_PROBE_I8(id, value) FC_PROBE_WITH_(fc_handle_i8, id, value)

@@ -43,15 +43,16 @@ FC_API size_t fc_record_copy(fc_context *ctx, void *data, size_t capacity);
 typedef void (*fc_line_fn)(void *user, const char *line);
 FC_API int fc_record_text(const void *recording, size_t len, fc_line_fn line, void *user);
 
+/* What counts as the same value. */
 typedef struct {
     double absolute; /* values differ when abs(a - b) > absolute + relative * abs(golden) */
-    double relative;
+    double relative; /* as a fraction of the golden value */
 } fc_tolerance;
 
 /* How the calls of one identifier or channel differ. */
 typedef struct {
-    const char *id;
-    bool is_channel;
+    const char *id;          /* its name */
+    bool is_channel;         /* packets delivered are compared then */
     uint64_t calls;          /* that both recordings have */
     uint64_t differing;      /* of those */
     uint64_t first;          /* number of the first diverging call, from 0 */
@@ -59,7 +60,7 @@ typedef struct {
     uint64_t missing;        /* calls that only the golden recording has */
     uint64_t extra;          /* calls that only the run has */
     double largest_absolute; /* differences of numbers */
-    double largest_relative;
+    double largest_relative; /* the same, divided by the golden value */
 } fc_divergence;
 
 /* Compare by identifier and call number the values after the faults. visit is called for each

@@ -61,10 +61,11 @@ static inline int fc_probe_bytes_at(fc_handle *handle, void *data, size_t len) {
 
 /* ---- Channels ---- */
 
+/* A channel that was looked up. */
 typedef struct {
     const unsigned char *state; /* points to 0 while the channel is idle */
-    void *channel;
-    fc_context *context;
+    void *channel;              /* the library's own */
+    fc_context *context;        /* it belongs to */
 } fc_channel_handle;
 
 /* Look up a channel. FC_OK; FC_E_ARG for handle NULL; FC_E_NOMEM. On an error *handle is as before.

@@ -21,6 +21,7 @@
 extern "C" {
 #endif
 
+/* The state of a context at one moment. */
 typedef struct fc_snapshot fc_snapshot;
 
 /* The state of the context now; NULL when memory is exhausted (FC_E_NOMEM in fc_last_error). Free

@@ -34,6 +34,7 @@ FC_API int fc_trigger_random(fc_context *ctx, fc_fault_id fault, double probabil
 FC_API int fc_trigger_periodic(fc_context *ctx, fc_fault_id fault, uint64_t period,
                                uint64_t active);
 
+/* Whether a fault may act now; called without a lock held. */
 typedef bool (*fc_predicate_fn)(void *user);
 
 /* While predicate(user) is true; it is called for each call of the identifier. FC_E_ARG if NULL. */
@@ -51,6 +52,7 @@ FC_API int fc_enable(fc_context *ctx, fc_fault_id fault, bool enabled);
  * that back. */
 FC_API int fc_seed_fault(fc_context *ctx, fc_fault_id fault, uint64_t seed);
 
+/* Disarm one fault. */
 FC_API int fc_remove(fc_context *ctx, fc_fault_id fault);
 
 #ifdef __cplusplus
