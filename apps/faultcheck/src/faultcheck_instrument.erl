@@ -38,15 +38,27 @@ peel(Test, Outer) -> {Test, Outer}.
 
 %% @doc The property with everything added, and its set-up functions back in place.
 %%
-%% PropEr forces the outer delayed property once per test, before the generators draw.
+%% PropEr forces the outer delayed property once per test, before the generators draw. A set-up
+%% function draws too, where the property is targeted: as test 0, and not from PropEr's clock.
 -spec test({proper:test(), outer()}, plan()) -> proper:outer_test().
-test({Test, Outer}, Plan) ->
+test({Test, Outer}, #{seed := Seed} = Plan) ->
     Begin = fun() -> begin_test(Test, Plan) end,
     lists:foldl(
-        fun proper:setup/2,
+        fun(Setup, Inner) -> proper:setup(seeded(Setup, Seed), Inner) end,
         proper:whenfail(fun() -> ok end, Begin),
         maps:get(setup, Outer, [])
     ).
+
+seeded(Setup, Seed) when is_function(Setup, 0) ->
+    fun() ->
+        _ = seed(Seed, 0),
+        Setup()
+    end;
+seeded(Setup, Seed) ->
+    fun(Options) ->
+        _ = seed(Seed, 0),
+        Setup(Options)
+    end.
 
 begin_test(Test, #{property := Property, seed := Seed, next := Next} = Plan) ->
     case Next() of
@@ -60,8 +72,8 @@ begin_test(Test, #{property := Property, seed := Seed, next := Next} = Plan) ->
             inside(Test, outermost, Plan)
     end.
 
-%% @doc Seeds this process for test Number of the run: 32 bits of each.
--spec seed(non_neg_integer(), pos_integer()) -> rand:state().
+%% @doc Seeds this process for test Number of the run (0: its set-up): 32 bits of each.
+-spec seed(non_neg_integer(), non_neg_integer()) -> rand:state().
 seed(Seed, Number) ->
     rand:seed(exsss, ((Seed band 16#FFFFFFFF) bsl 32) bor (Number band 16#FFFFFFFF)).
 
