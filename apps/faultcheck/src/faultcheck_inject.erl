@@ -11,7 +11,7 @@
 -module(faultcheck_inject).
 
 -export([arm/4, trigger/4, enable/4, remove/3, remove_all/3]).
--export([add_call/3, condition_call/4, code_name/1]).
+-export([add_call/3, condition_call/4, fc_model/1, code_name/1]).
 -export_type([where/0, context/0, id/0, reason/0, call/0]).
 
 -type context() :: null | cb:ptr().
@@ -236,7 +236,8 @@ fc_type(u32) -> 'FC_U32';
 fc_type(u64) -> 'FC_U64';
 fc_type(bool) -> 'FC_BOOL'.
 
-%% The struct fc_model of any value model.
+%% @doc The struct fc_model of any value model.
+-spec fc_model(faultcheck_fault:model()) -> map().
 fc_model(Model) -> fc_model(Model, #{a => 0.0, b => 0.0, n => 0}).
 
 fc_model({bitflip, N}, M) -> M#{kind => 0, n := N};

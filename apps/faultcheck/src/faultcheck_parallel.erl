@@ -18,14 +18,18 @@
 %% often as it is asked to and gives what each command gave each time, and where it can when each
 %% began and ended: for threads in C see faultcheck_threads_sut in apps/faultcheck_eqc.
 %%
-%% What threads do is not determined by the seed. A case is run `repetitions' times and fails if one
-%% of them does; the more there are, the more surely it fails again when it is confirmed and shrunk.
-%% A runner reports a failure that does not come back each time as flaky.
+%% The seed determines the case, not what threads do. A case is run `repetitions' times, ten times as
+%% often while it is shrunk, and fails if one of them does; the more there are, the more surely it
+%% fails again. A runner runs a failure again 10 times; one that does not come back each time is
+%% reported as flaky and left as it is.
 -module(faultcheck_parallel).
 
 -export([commands/1, commands/2, run_commands/2, run_commands/3]).
 -export([is_ok/1, outcomes/1, pretty/1, command_names/1, lines/1]).
 -export_type([options/0, run_options/0, result/0]).
+
+%% A smaller case has fewer ways to fail.
+-define(WHILE_SHRINKING, 10).
 
 -type test_case() :: faultcheck_parallel_case:test_case().
 -type options() :: #{
@@ -75,6 +79,7 @@ is_case(_) ->
 generate(Mod, Size, Limits) ->
     faultcheck_stats:generated(),
     _ = erase({?MODULE, finished}),
+    _ = erase({?MODULE, shrinking}),
     {Case, Side} = faultcheck_parallel_case:generate(Mod, Size, Limits),
     faultcheck_proper:with_side(Case, Side).
 
@@ -93,9 +98,16 @@ run_commands(Mod, Case) -> run_commands(Mod, Case, #{}).
 run_commands(Mod, Case, Options) ->
     Setup = maps:get(setup, Options, fun() -> ok end),
     Execute = maps:get(execute, Options, faultcheck_parallel_run:by_processes(Setup)),
-    Outcomes = Execute(Case, maps:get(repetitions, Options, 20)),
+    Outcomes = Execute(Case, repetitions(Options)),
     count(Mod, Case),
     explain(Mod, Case, Outcomes, 1, #{}).
+
+repetitions(Options) ->
+    Given = maps:get(repetitions, Options, 20),
+    case get({?MODULE, shrinking}) of
+        undefined -> Given;
+        true -> Given * ?WHILE_SHRINKING
+    end.
 
 %% Outcomes that were explained before are not searched again.
 explain(_Mod, _Case, [], _Repetition, Explained) ->
@@ -193,6 +205,7 @@ shrink(Mod, Options, Imm, init) ->
             {[], done};
         _ ->
             faultcheck_stats:shrinking(),
+            _ = put({?MODULE, shrinking}, true),
             Side = case faultcheck_proper:side(Imm) of {ok, S} -> S; none -> #{} end,
             Flat = faultcheck_parallel_case:flatten(Case),
             Start = {Options, #{kind => unknown, at => unknown}},
@@ -223,6 +236,7 @@ offered(Case, Imm) ->
 
 move(_Mod, Case, []) ->
     _ = put({?MODULE, finished}, Case),
+    _ = erase({?MODULE, shrinking}),
     {[], done};
 move(Mod, Case, [Candidate | Candidates]) ->
     case faultcheck_parallel_case:legal(Mod, Candidate) of

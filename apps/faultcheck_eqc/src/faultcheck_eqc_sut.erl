@@ -9,6 +9,7 @@
 -export([restrict/3, probe/4, num_active/2, put/3, get/4, subscribe/3, clear/2, depth/3]).
 -export([advance/2, seed/2, reset/1, errors/1, lib/0, context/1]).
 -export([legacy_add/2, legacy_trigger/2, legacy_probe/3]).
+-export([encode/2, decode/2]).
 -export_type([context/0]).
 
 -type context() :: a | b | default.
@@ -212,10 +213,14 @@ ctype(u64) -> uint64_t;
 ctype(bool) -> '_Bool';
 ctype(bytes) -> 'unsigned char'.
 
+%% @doc A value as its bytes in memory.
+-spec encode(faultcheck_ref_value:type(), faultcheck_ref_value:value()) -> binary().
 encode(bytes, Bytes) -> Bytes;
 encode(bool, V) -> <<V>>;
 encode(Type, V) -> <<V:(faultcheck_ref_value:width(Type, V))/little>>.
 
+%% @doc Bytes in memory as a value, floats as bits.
+-spec decode(faultcheck_ref_value:type(), binary()) -> faultcheck_ref_value:value().
 decode(bytes, Bytes) -> Bytes;
 decode(bool, <<V>>) -> V;
 decode(Type, Bytes) ->

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Builds libfaultcheck with one seeded defect: only what depends on the changed file is compiled anew.
 #
-#   build.sh NUMBER DIRECTORY    NUMBER 0: no defect. Writes DIRECTORY/lib/libfaultcheck.so and keeps what can be used
-#                                again
+#   build.sh NUMBER DIRECTORY    NUMBER 0: no defect. Writes DIRECTORY/lib/libfaultcheck.so and the driver
+#                                libfc_threads.so, and keeps what can be used again
 #
 # Prints what is wrong and in which file, one line each. The compiler is $CXX, or c++. Exit status 2 when the defect
 # does not exist or does not compile.
@@ -43,3 +43,5 @@ fi
 "${CXX:-c++}" -shared -pthread -Wl,-soname,"$soname" "-Wl,--version-script=$here/../src/exports.map" \
   "$work"/mutant/*.o -o "$work/lib/$soname" || exit 2
 ln -s "$soname" "$work/lib/libfaultcheck.so"
+"${CC:-cc}" -std=c99 -O1 -g -fPIC -shared -pthread -fvisibility=hidden -I "$here/../include" -I "$here/../threads" \
+  "$here/../threads/fc_threads.c" -o "$work/lib/libfc_threads.so" -L "$work/lib" -lfaultcheck "-Wl,-rpath,\$ORIGIN"
