@@ -108,7 +108,11 @@ failure(Number, Size, CounterExample, Run) ->
 %% the system under test that could not be started.
 -spec verdict(proper:counterexample(), run()) -> result().
 verdict(CounterExample, Run) ->
-    {Reason, Lines} = why(faultcheck_case:commands(CounterExample), faultcheck_run:last(), Run),
+    {Reason, Lines} =
+        case faultcheck_parallel:why(CounterExample) of
+            {ok, Words} -> {none, faultcheck_reason:trimmed(Words)};
+            none -> why(faultcheck_case:commands(CounterExample), faultcheck_run:last(), Run)
+        end,
     case faultcheck_reason:unstarted(Reason) of
         {true, Line} ->
             throw({stop, #{status => unstarted, reasons => [Line]}});

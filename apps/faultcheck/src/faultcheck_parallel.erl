@@ -5,7 +5,8 @@
 %% prop_threads() ->
 %%     ?FORALL(Case, faultcheck_parallel:commands(?MODULE),
 %%             begin
-%%                 Result = faultcheck_parallel:run_commands(?MODULE, Case, #{setup => fun reset/0}),
+%%                 Result = faultcheck_parallel:run_commands(?MODULE, Case,
+%%                                                           #{setup => fun reset/0}),
 %%                 ?WHENFAIL(io:put_chars(faultcheck_parallel:pretty(Result)),
 %%                           aggregate(faultcheck_parallel:command_names(Case),
 %%                                     faultcheck_parallel:is_ok(Result)))
@@ -18,18 +19,18 @@
 %% often as it is asked to and gives what each command gave each time, and where it can when each
 %% began and ended: for threads in C see faultcheck_threads_sut in apps/faultcheck_eqc.
 %%
-%% The seed determines the case, not what threads do. A case is run `repetitions' times, ten times as
-%% often while it is shrunk, and fails if one of them does; the more there are, the more surely it
-%% fails again. A runner runs a failure again 10 times; one that does not come back each time is
-%% reported as flaky and left as it is.
+%% The seed determines the case, not what threads do. A case is run `repetitions' times and fails if
+%% one of them does; one that was not just generated, because it is confirmed, shrunk or replayed,
+%% ten times as often. A runner runs a failure again 10 times; one that does not come back each time
+%% is reported as flaky and left as it is, with what it gave when it failed.
 -module(faultcheck_parallel).
 
 -export([commands/1, commands/2, run_commands/2, run_commands/3]).
--export([is_ok/1, outcomes/1, pretty/1, command_names/1, lines/1]).
+-export([is_ok/1, outcomes/1, pretty/1, why/1, command_names/1, lines/1]).
 -export_type([options/0, run_options/0, result/0]).
 
-%% A smaller case has fewer ways to fail.
--define(WHILE_SHRINKING, 10).
+%% What failed should fail again, and a smaller case has fewer ways to.
+-define(AGAIN, 10).
 
 -type test_case() :: faultcheck_parallel_case:test_case().
 -type options() :: #{
@@ -79,8 +80,8 @@ is_case(_) ->
 generate(Mod, Size, Limits) ->
     faultcheck_stats:generated(),
     _ = erase({?MODULE, finished}),
-    _ = erase({?MODULE, shrinking}),
     {Case, Side} = faultcheck_parallel_case:generate(Mod, Size, Limits),
+    _ = put({?MODULE, fresh}, Case),
     faultcheck_proper:with_side(Case, Side).
 
 %% @doc Module, name and arity of each command, for aggregate/2.
@@ -98,16 +99,23 @@ run_commands(Mod, Case) -> run_commands(Mod, Case, #{}).
 run_commands(Mod, Case, Options) ->
     Setup = maps:get(setup, Options, fun() -> ok end),
     Execute = maps:get(execute, Options, faultcheck_parallel_run:by_processes(Setup)),
-    Outcomes = Execute(Case, repetitions(Options)),
+    ok = faultcheck_journal:command(Case),
+    Outcomes = Execute(Case, repetitions(Case, Options)),
     count(Mod, Case),
-    explain(Mod, Case, Outcomes, 1, #{}).
+    noted(explain(Mod, Case, Outcomes, 1, #{})).
 
-repetitions(Options) ->
+repetitions(Case, Options) ->
     Given = maps:get(repetitions, Options, 20),
-    case get({?MODULE, shrinking}) of
-        undefined -> Given;
-        true -> Given * ?WHILE_SHRINKING
+    case erase({?MODULE, fresh}) of
+        Case -> Given;
+        _ -> Given * ?AGAIN
     end.
+
+noted(#{ok := true} = Result) ->
+    Result;
+noted(#{ok := false, 'case' := Case} = Result) ->
+    _ = put({?MODULE, failure}, {Case, Result}),
+    Result.
 
 %% Outcomes that were explained before are not searched again.
 explain(_Mod, _Case, [], _Repetition, Explained) ->
@@ -179,21 +187,37 @@ pretty(#{ok := false, 'case' := Case, outcome := {Results, _} = Outcome} = Failu
         deepest(Case, Longest, Outcome)
     ].
 
-shown({set, {var, N} = Var, _} = Command, Results) ->
-    [Words] = words([Command]),
-    io_lib:format("  ~0tp: ~ts -> ~0lp~n", [Var, Words, maps:get(N, Results)]).
+%% @doc How the last case that failed in this process did, if it is in this counterexample: also
+%% when it passes by now.
+-spec why(proper:counterexample()) -> {ok, iolist()} | none.
+why(CounterExample) ->
+    case get({?MODULE, failure}) of
+        {Case, Result} ->
+            case lists:member(Case, CounterExample) of
+                true -> {ok, pretty(Result)};
+                false -> none
+            end;
+        undefined ->
+            none
+    end.
 
-deepest(Case, Longest, {_, Times}) ->
+shown({set, {var, N}, _} = Command, Results) ->
+    [Words] = words([Command]),
+    io_lib:format("  V~b: ~ts -> ~0lp~n", [N, Words, maps:get(N, Results)]).
+
+%% What runs first runs in its order, so only a failure there would tell something by it.
+deepest({parallel, First, _, _} = Case, Longest, {_, Times}) ->
+    Names = fun(Vars) -> lists:join(", ", [["V", integer_to_list(N)] || N <- Vars]) end,
     Done = [N || {N, _, _, _} <- Longest],
-    Name = fun(N) -> io_lib:format("{var,~b}", [N]) end,
-    Left = [N || {set, {var, N}, _} <- faultcheck_parallel_case:commands(Case),
-                 not lists:member(N, Done)],
-    ["the longest order that does: ", lists:join(", ", [Name(N) || N <- Done]),
-     "; left: ", lists:join(", ", [Name(N) || N <- Left]), $\n,
-     case map_size(Times) of
-         0 -> [];
-         _ -> "no command comes before one that had ended when it began\n"
-     end].
+    Left = variables(faultcheck_parallel_case:commands(Case)) -- Done,
+    Timed = case map_size(Times) of
+                0 -> "";
+                _ -> " (none before one that had ended when it began)"
+            end,
+    ["the longest order that does", Timed, ": ", Names(Done -- variables(First)), "; not: ",
+     Names(Left), $\n].
+
+variables(Commands) -> [N || {set, {var, N}, _} <- Commands].
 
 %%% Shrinking, driven by PropEr as in faultcheck_statem: first the sequence of all commands by
 %%% faultcheck_shrinker, then commands move out of the branches.
@@ -205,7 +229,6 @@ shrink(Mod, Options, Imm, init) ->
             {[], done};
         _ ->
             faultcheck_stats:shrinking(),
-            _ = put({?MODULE, shrinking}, true),
             Side = case faultcheck_proper:side(Imm) of {ok, S} -> S; none -> #{} end,
             Flat = faultcheck_parallel_case:flatten(Case),
             Start = {Options, #{kind => unknown, at => unknown}},
@@ -220,7 +243,8 @@ shrink(_Mod, _Options, _Imm, Continue) ->
 remove(Mod, {try_, Imm, Continue, _}) ->
     Case = faultcheck_parallel_case:unflatten(Mod, faultcheck_proper:clean(Imm)),
     case faultcheck_parallel_case:legal(Mod, Case) of
-        true -> {[offered(Case, Imm)], fun(Verdict) -> remove(Mod, Continue(verdict(Verdict))) end};
+        true ->
+            {[offered(Case, Imm)], fun(Verdict) -> remove(Mod, Continue(verdict(Verdict))) end};
         false -> remove(Mod, Continue(passes))
     end;
 remove(Mod, {done, #{shrunk := Flat}}) ->
@@ -236,7 +260,6 @@ offered(Case, Imm) ->
 
 move(_Mod, Case, []) ->
     _ = put({?MODULE, finished}, Case),
-    _ = erase({?MODULE, shrinking}),
     {[], done};
 move(Mod, Case, [Candidate | Candidates]) ->
     case faultcheck_parallel_case:legal(Mod, Candidate) of

@@ -40,7 +40,7 @@ generate(Mod, Size, #{branches := N, length := Longest}) ->
     Vars = [V || {set, {var, V}, _} <- commands(Whole)],
     {Whole, maps:with(Vars, Side)}.
 
-%% Each command to a random branch in which the case stays legal; where there is none it is left out.
+%% Each command to a random branch in which the case stays legal; without one it is left out.
 distribute(_Mod, First, [], Branches, _Longest) ->
     {parallel, First, Branches, []};
 distribute(Mod, First, [Command | Commands], Branches, Longest) ->

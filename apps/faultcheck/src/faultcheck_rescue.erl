@@ -47,6 +47,7 @@ story(How, Log, #{commands := Commands}) ->
     During =
         case Commands of
             [] -> "";
+            [{parallel, _, _, _}] -> " while commands ran at once";
             _ -> " in " ++ lists:last(faultcheck_case:lines([Commands]))
         end,
     [lists:flatten(["the child VM ", ended(How), During]) | log_lines(Log)].
@@ -133,6 +134,10 @@ settled({hang, _}, Failure, #{shrunk := CounterExample} = Shrunk, Job, Session) 
             {Failure#{notes := [Note | maps:get(notes, Failure)]}, Next}
     end.
 
+%% A parallel case is one record of the journal.
+counterexample([{parallel, _, _, _} = Case]) -> [Case];
+counterexample(Commands) -> [Commands].
+
 %% It passed when run again.
 lost(#{test := Number, size := Size, commands := Commands}, Story) ->
     #{
@@ -140,8 +145,8 @@ lost(#{test := Number, size := Size, commands := Commands}, Story) ->
         test => Number,
         size => Size,
         flaky => {0, 1},
-        shrunk => [Commands],
-        original => [Commands],
+        shrunk => counterexample(Commands),
+        original => counterexample(Commands),
         reasons => Story,
         notes => [
             "not reproduced with C code in a process of its own; the commands are the journal's"
@@ -161,7 +166,8 @@ hopeless(#{test := Number, size := Size, commands := Commands}, Story, Job, Sess
         {_, {interrupted, Next}} ->
             {interrupted, Next};
         {[_ | _], {_, Next}} ->
-            {Failure#{shrunk => [Commands], original => [Commands]}, Next};
+            {Failure#{shrunk => counterexample(Commands), original => counterexample(Commands)},
+                Next};
         {[], {{result, #{original := Values}, _}, Next}} ->
             {Failure#{shrunk => Values, original => Values}, Next};
         {[], {_, Next}} ->

@@ -19,7 +19,8 @@ explain(Case, Results, Times) ->
 two_counts() -> {parallel, [set(1, count)], [[set(2, count)], [set(3, count)]], [set(4, read)]}.
 
 an_order_is_found_test() ->
-    ?assertEqual({explained, [1, 3, 2, 4]}, explain(two_counts(), [{1, 1}, {2, 3}, {3, 2}, {4, 3}])).
+    Results = [{1, 1}, {2, 3}, {3, 2}, {4, 3}],
+    ?assertEqual({explained, [1, 3, 2, 4]}, explain(two_counts(), Results)).
 
 a_lost_count_has_no_order_test() ->
     Lost = [{1, 1}, {2, 2}, {3, 2}, {4, 2}],
@@ -127,6 +128,20 @@ the_same_seed_gives_the_same_cases_test() ->
     end,
     ?assertEqual(Cases(), Cases()).
 
+%% What failed is run more often from then on, what was generated is not.
+a_case_is_run_again_more_often_test() ->
+    Caller = self(),
+    Execute = fun(_, N) -> Caller ! {times, N}, [] end,
+    Times = fun(Case) ->
+        _ = faultcheck_parallel:run_commands(?MODEL, Case, #{repetitions => 7, execute => Execute}),
+        receive {times, N} -> N after 0 -> none end
+    end,
+    Fresh = faultcheck_proper:with_state(20, {1, 1, 1}, fun() ->
+        {ok, Imm} = faultcheck_proper:generate(faultcheck_parallel:commands(?MODEL)),
+        faultcheck_proper:clean(Imm)
+    end),
+    ?assertEqual([7, 70, 70], [Times(Fresh), Times(Fresh), Times(two_counts())]).
+
 %% ---- words
 
 a_failure_in_words_test() ->
@@ -137,10 +152,12 @@ a_failure_in_words_test() ->
     ?assertNot(faultcheck_parallel:is_ok(Result)),
     ?assertEqual(
         "no order of the commands gives what repetition 1 gave:\n"
-        "first:\n  {var,1}: counter_model:count() -> 1\n"
-        "thread 1:\n  {var,2}: counter_model:count() -> 2\n"
-        "thread 2:\n  {var,3}: counter_model:count() -> 2\n"
-        "last:\n  {var,4}: counter_model:read() -> 2\n"
-        "the longest order that does: {var,1}, {var,2}; left: {var,3}, {var,4}\n",
+        "first:\n  V1: counter_model:count() -> 1\n"
+        "thread 1:\n  V2: counter_model:count() -> 2\n"
+        "thread 2:\n  V3: counter_model:count() -> 2\n"
+        "last:\n  V4: counter_model:read() -> 2\n"
+        "the longest order that does: V2; not: V3, V4\n",
         lists:flatten(faultcheck_parallel:pretty(Result))),
+    ?assertMatch({ok, _}, faultcheck_parallel:why([17, two_counts()])),
+    ?assertEqual(none, faultcheck_parallel:why([17])),
     ?assertEqual("first:", lists:flatten(hd(faultcheck_parallel:lines(two_counts())))).

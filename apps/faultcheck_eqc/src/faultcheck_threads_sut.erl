@@ -17,7 +17,7 @@
 %% @doc Runs a case that many times: an outcome for each. An `execute' of faultcheck_parallel.
 -spec execute(faultcheck_parallel_case:test_case(), pos_integer()) ->
     [faultcheck_linear:outcome()].
-execute({parallel, First, Branches, Last}, Repetitions) ->
+execute({parallel, First, Branches, Last} = Case, Repetitions) ->
     #{lib := Lib} = instance(),
     Threads = max(1, length(Branches)),
     Plan = cb:call(Lib, fc_threads_new, [Threads]),
@@ -26,9 +26,9 @@ execute({parallel, First, Branches, Last}, Repetitions) ->
         Lanes = [{0, First} | Numbered] ++ [{Threads + 1, Last}],
         Numbers = lists:foldl(fun(Lane, Sofar) -> plan(Plan, Lane, Sofar) end, #{}, Lanes),
         0 = cb:call(Lib, fc_threads_run, [Plan, Repetitions, 1]),
-        Commands = faultcheck_parallel_case:commands({parallel, First, Branches, Last}),
-        Known = [{N, maps:get(N, Numbers), Call} || {set, {var, N}, {call, _, _, _} = Call} <- Commands],
-        outcomes(Lib, Plan, Known, Repetitions)
+        Commands = faultcheck_parallel_case:commands(Case),
+        Calls = [{N, maps:get(N, Numbers), Call} || {set, {var, N}, Call} <- Commands],
+        outcomes(Lib, Plan, Calls, Repetitions)
     after
         cb:call(Lib, fc_threads_free, [Plan])
     end.
