@@ -1,0 +1,30 @@
+/* parts.hpp: the parts of a scenario, read from members of the file. All throw located_error. */
+#ifndef CSIM_PARTS_HPP
+#define CSIM_PARTS_HPP
+
+#include "members.hpp"
+#include "scenario.hpp"
+
+#include <string>
+
+namespace csim_scenario {
+
+/* The gains among the members asked; others are left to the caller. */
+gains_change read_gains(members &m);
+/* From an object that holds nothing else; an empty change when there is none. */
+gains_change read_gains_object(const node *value, const std::string &where);
+
+/* A parameter by name; throws when there is none, or when the value is not one of its values. */
+setting read_setting(const std::string &name, const node &value, const std::string &where);
+
+copter read_copter(members &m);
+
+/* The event at events[index], checked against what the library knows of faults. */
+event read_event(const node &value, const std::string &where);
+
+/* Arms a fault in a context; a fault id, or an FC_E_ code with fc_last_error_text. */
+fc_fault_id arm_fault(fc_context *context, const fault &f);
+
+} // namespace csim_scenario
+
+#endif
