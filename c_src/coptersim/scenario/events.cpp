@@ -107,6 +107,9 @@ fault read_fault(members &m, bool of_channel, const std::string &where) {
     if (const node *probability = m.find("probability")) {
         f.probability = as_number(*probability, m.path("probability"));
     }
+    if (const node *seed = m.find("seed")) {
+        f.seed = as_whole(*seed, m.path("seed"), 0, UINT64_MAX);
+    }
     for (std::size_t i : m.others()) {
         f.arguments.push_back(read_argument(m.key(i), m.value(i), m.path(m.key(i))));
     }
@@ -230,12 +233,16 @@ fc_fault_id arm_fault(fc_context *context, const fault &f) {
     auto arm = f.of_channel ? fc_channel_arm_named : fc_arm_named;
     fc_fault_id id =
         arm(context, f.id.c_str(), f.model.c_str(), arguments.data(), arguments.size());
+    int status = FC_OK;
     if (id > 0 && f.probability) {
-        int status = fc_trigger_random(context, id, *f.probability);
-        if (status != FC_OK) {
-            fc_remove(context, id);
-            return status;
-        }
+        status = fc_trigger_random(context, id, *f.probability);
+    }
+    if (id > 0 && f.seed && status == FC_OK) {
+        status = fc_seed_fault(context, id, *f.seed);
+    }
+    if (status != FC_OK) {
+        fc_remove(context, id);
+        return status;
     }
     return id;
 }

@@ -38,8 +38,9 @@ double choice(const csim_param &param, const node &value, const std::string &whe
         names += (i == 0 ? "" : i + 1 == count ? " or " : ", ") + std::string(param.choices[i]);
     }
     const std::string *name = value.kind == node::text ? &value.characters : nullptr;
-    for (int i = 0; name != nullptr && i < count; i++) {
-        if (*name == param.choices[i]) {
+    for (int i = 0; i < count; i++) {
+        bool by_number = value.kind == node::number && value.real == i;
+        if (by_number || (name != nullptr && *name == param.choices[i])) {
             return i;
         }
     }
@@ -74,6 +75,10 @@ setting read_setting(const std::string &name, const node &value, const std::stri
     const csim_param *param = find_param(name);
     if (param == nullptr) {
         throw located_error(value.line, where + ": unknown parameter; known: " + param_names());
+    }
+    bool bit = value.kind == node::number && (value.real == 0 || value.real == 1);
+    if (param->kind == CSIM_SWITCH && bit) {
+        return {name, value.real};
     }
     if (param->kind == CSIM_SWITCH) {
         return {name, as_truth(value, where) ? 1.0 : 0.0};

@@ -14,7 +14,8 @@ gains_change read_gains(members &m);
 /* From an object that holds nothing else; an empty change when there is none. */
 gains_change read_gains_object(const node *value, const std::string &where);
 
-/* A parameter by name; throws when there is none, or when the value is not one of its values. */
+/* A parameter by name; throws when there is none, or when the value is not one of its values. A
+ * switch may be 0 or 1, a choice its number. */
 setting read_setting(const std::string &name, const node &value, const std::string &where);
 
 copter read_copter(members &m);

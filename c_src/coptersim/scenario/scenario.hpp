@@ -85,6 +85,7 @@ struct fault {
     std::string model;
     std::vector<fault_argument> arguments;
     std::optional<double> probability; /* of each affected call */
+    std::optional<std::uint64_t> seed; /* of its own random stream */
     std::optional<std::uint64_t> duration_us;
 };
 

@@ -146,7 +146,7 @@ void wrong_shape() {
     refuse(with("\"world\":{\"line\":[]}"), 5, "world.line: unknown");
     refuse(with("\"events\":{}"), 5, "events: an array expected, not an object");
     refuse(with("\"name\":7"), 5, "name: a text expected, not a number");
-    refuse(with("\"halt_on_collision\":1"), 5, "true or false expected");
+    refuse(with("\"halt_on_collision\":2"), 5, "true or false expected");
     refuse(with("\"integrator\":\"rk4\""), 5, "v1");
     refuse(with("\"altitude\":\"high\""), 5, "a number expected");
     refuse(with("\"params\":{\"comfort\":1}"), 5, "params.comfort: unknown parameter");
