@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the C and C++ side, incrementally; CMake decides what is old.
 #
-#   scripts/build_native.sh [release|asan|tsan|fuzz|coverage] [TARGET...]
+#   scripts/build_native.sh [release|asan|tsan|fuzz|coverage|aarch64] [TARGET...]
 #
 # release (default) goes into _build/native and apps/c_bridge/priv; every other kind stays in _build/cmake/KIND.
 set -euo pipefail
@@ -20,7 +20,10 @@ case "$kind" in
   fuzz) options+=(-DCMAKE_BUILD_TYPE=Debug -DFC_FUZZ=ON
     -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DBUILD_TESTING=OFF) ;;
   coverage) options+=(-DCMAKE_BUILD_TYPE=Debug -DFC_COVERAGE=ON -DBUILD_TESTING=OFF) ;;
-  *) echo "build_native: unknown kind '$kind' (release, asan, tsan, fuzz or coverage)" >&2; exit 2 ;;
+  aarch64) options+=(-DCMAKE_BUILD_TYPE=Release -DFC_BRIDGE=OFF -DBUILD_TESTING=OFF
+    -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64
+    -DCMAKE_C_COMPILER=aarch64-linux-gnu-gcc -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++) ;;
+  *) echo "build_native: unknown kind '$kind' (release, asan, tsan, fuzz, coverage or aarch64)" >&2; exit 2 ;;
 esac
 
 # Two builds in one tree at a time would write the same files.

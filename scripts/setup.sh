@@ -22,9 +22,9 @@ native  cmd:ninja                ninja-build
 native  cmd:pkg-config           pkg-config
 native  header:elfutils/libdwfl.h  libdw-dev
 native  header:ffi.h             libffi-dev
+native  cxxheader:nlohmann/json.hpp  nlohmann-json3-dev
 native  cmd:erl                  erlang-base
 native  erlang:erl_nif.h         erlang-dev
-vectors cxxheader:nlohmann/json.hpp  nlohmann-json3-dev
 vectors header:zlib.h            zlib1g-dev
 demo    app:eunit                erlang-eunit
 demo    app:syntax_tools         erlang-syntax-tools
@@ -41,6 +41,8 @@ test    cmd:shellcheck           shellcheck
 test    cmd:dwz                  dwz
 test    cmd:git                  git
 test    cmd:python3              python3
+test    cmd:aarch64-linux-gnu-g++  g++-aarch64-linux-gnu
+test    cmd:qemu-aarch64         qemu-user
 coverage cmd:lcov                lcov
 docs    cmd:git                  git
 docs    cmd:erl                  erlang-base
