@@ -1,5 +1,7 @@
 #include "listing.h"
 
+#include "named.h"
+
 #include <algorithm>
 
 namespace fc {
@@ -92,23 +94,6 @@ void Listing::add_fault(Listed &listed, const ChannelFault &fault, const FaultRu
     entry.a = fault.model.model.a;
     entry.b = fault.model.model.b;
     entry.n = fault.model.index;
-}
-
-const char *name_of_model(int kind) {
-    constexpr const char *names[] = {"bitflip",       "bitflip_random", "stuck",    "stuck_bit",
-                                     "amplification", "offset",         "set_to",   "noise_uniform",
-                                     "noise_gauss",   "random_offset",  "drift",    "drift_timed",
-                                     "ramp",          "delay",          "quantise", "dead_zone",
-                                     "saturate",      "oscillate",      "dropout",  "spike"};
-    return names[kind];
-}
-
-const char *name_of_model(ChannelModelKind kind) {
-    constexpr const char *names[] = {
-        "corruption", "field",       "truncate", "extend",     "drop",       "repeat",
-        "lose",       "repeat_last", "insert",   "masquerade", "resequence", "block_get",
-        "delay_gets", "delay_time",  "misroute", "asymmetric", "subset",     "block_put"};
-    return names[static_cast<int>(kind)];
 }
 
 } // namespace fc

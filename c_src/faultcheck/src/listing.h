@@ -34,7 +34,4 @@ class Listing {
     std::deque<std::string> receivers_; // names the faults point to
 };
 
-const char *name_of_model(int kind);
-const char *name_of_model(ChannelModelKind kind);
-
 } // namespace fc
