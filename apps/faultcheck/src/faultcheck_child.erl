@@ -5,7 +5,7 @@
 %% while a test runs, the journal must move within the limit.
 -module(faultcheck_child).
 
--export([start/2, run/2, next/2, quit/1, stop/1, close/1, log/1, journal/1]).
+-export([start/2, run/2, send/2, next/2, quit/1, stop/1, close/1, log/1, journal/1]).
 -export_type([child/0, event/0, options/0]).
 
 -type options() :: #{
@@ -109,6 +109,10 @@ run(#{guard := Guard, journal := Journal}, Job) ->
     ok = cb_guard:send(Guard, term_to_binary({run, Job})),
     Limit = maps:get(limit, Job, 10000) * ?SETUP_FACTOR,
     #{limit => Limit, seen => faultcheck_journal:progress(Journal), since => now_ms()}.
+
+%% @doc Tells a child something while its job runs.
+-spec send(child(), faultcheck_worker:to_worker()) -> ok.
+send(#{guard := Guard}, Message) -> cb_guard:send(Guard, term_to_binary(Message)).
 
 %% @doc The next event of a running job.
 -spec next(child(), watch()) -> {event(), watch()}.

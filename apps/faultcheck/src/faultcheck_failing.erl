@@ -1,7 +1,7 @@
 %% @doc What a failure is: does it repeat, why did it fail, and what is it when shrunk.
 -module(faultcheck_failing).
 
--export([judge/3, shrunk/3, failure/4, verdict/2, error/1]).
+-export([judge/3, doubted/2, shrunk/3, failure/4, verdict/2, error/1]).
 
 -type result() :: faultcheck_property:result() | map().
 -type run() :: faultcheck_testing:run().
@@ -55,6 +55,19 @@ repeats(Original, #{tell := Tell, fails := false} = Run, Left, Failed) ->
     case Result of
         false -> repeats(Original, Run, Left - 1, Failed + 1);
         _ -> repeats(Original, Run, Left - 1, Failed)
+    end.
+
+%% @doc The tests behind number First have passed here; one of them may have failed in a worker.
+-spec doubted(non_neg_integer(), run()) -> result().
+doubted(First, #{known := Known, numtests := Numtests} = Run) ->
+    case faultcheck_known:doubt(Known) of
+        {Number, Line} when Number > First, Number =< First + Numtests ->
+            Size = get({doubted, Number}),
+            Values = faultcheck_testing:values(Number, Size, Run),
+            #{status => flaky, flaky => {1, 2}, test => Number, size => Size, reasons => [Line],
+              original => Values, shrunk => Values};
+        _ ->
+            #{status => passed}
     end.
 
 %% @doc One test from its seed, with shrinking.

@@ -6,7 +6,8 @@
 %% All knowledge of how PropEr 1.2 to 1.5 represents a property as a term is in this module.
 -module(faultcheck_instrument).
 
--export([peel/1, test/2, seed/2, size/0, exception/1]).
+-export([peel/1, independent/1, test/2, seed/2, size/0, exception/1]).
+-export([take_samples/1, with_samples/2]).
 -export_type([outer/0, plan/0]).
 
 -type outer() :: #{
@@ -18,10 +19,13 @@
 -type plan() :: #{
     property := {module(), atom()},
     seed := non_neg_integer(),
-    %% says which test begins: the same number again while it is shrunk; `stop' when the run's
-    %% time is up, and then the remaining tests are empty
-    next := fun(() -> pos_integer() | stop),
+    %% says which test begins: the same number again while it is shrunk; `skip' for one that is
+    %% not run here, `stop' when there are no more, and then the remaining tests are empty; or what
+    %% takes the place of the test
+    next := fun(() -> pos_integer() | skip | stop | {instead, proper:test()}),
     exceptions := ets:tid(),
+    %% keep the samples of aggregate/2 and its like in that table, too
+    samples => true,
     %% told the value of each outermost ?FORALL, whose body is then not run
     instead => fun((term()) -> ok)
 }.
@@ -35,6 +39,13 @@ peel({fails, Test}, Outer) -> peel(Test, Outer#{fails => true});
 peel({on_output, Print, Test}, Outer) -> peel(Test, Outer#{on_output => Print});
 peel({setup, Fun, Test}, Outer) -> peel(Test, Outer#{setup => [Fun | maps:get(setup, Outer, [])]});
 peel(Test, Outer) -> {Test, Outer}.
+
+%% @doc Whether test i needs nothing of the tests before it. Searches of PropEr do.
+-spec independent(proper:test()) -> boolean().
+independent({Kind, _, _}) -> lists:member(Kind, [forall, implies, whenfail, timeout]);
+independent({sample, _, _, Test}) -> independent(Test);
+independent({Kind, _}) -> lists:member(Kind, [conjunction, trapexit]);
+independent(Test) -> is_boolean(Test) orelse is_function(Test, 0).
 
 %% @doc The property with everything added, and its set-up functions back in place.
 %%
@@ -62,8 +73,10 @@ seeded(Setup, Seed) ->
 
 begin_test(Test, #{property := Property, seed := Seed, next := Next} = Plan) ->
     case Next() of
-        stop ->
+        Empty when Empty =:= stop; Empty =:= skip ->
             true;
+        {instead, Instead} ->
+            Instead;
         Number ->
             _ = seed(Seed, Number),
             ok = faultcheck_journal:test(#{
@@ -89,6 +102,24 @@ exception(Table) ->
         [] -> none
     end.
 
+sampled(Sample, Printer, #{samples := true, exceptions := Table}) ->
+    true = ets:insert(Table, {{sample, erlang:unique_integer([monotonic])}, Sample, Printer}),
+    ok;
+sampled(_Sample, _Printer, _Plan) ->
+    ok.
+
+%% @doc The samples of the last test, which are forgotten.
+-spec take_samples(ets:tid()) -> [{Sample :: term(), Printer :: term()}].
+take_samples(Table) ->
+    Samples = [{S, P} || {{sample, _}, S, P} <- lists:sort(ets:tab2list(Table))],
+    true = ets:match_delete(Table, {{sample, '_'}, '_', '_'}),
+    Samples.
+
+%% @doc A test with samples.
+-spec with_samples([{Sample :: term(), Printer :: term()}], proper:test()) -> proper:test().
+with_samples(Samples, Test) ->
+    lists:foldr(fun({Sample, Printer}, Inner) -> {sample, Sample, Printer, Inner} end, Test, Samples).
+
 %% Walks into the property as far as it is known already, and wraps the parts that come later.
 inside({forall, Type, Body}, Place, Plan) when is_function(Body, 1) ->
     {forall, Type, fun(Instance) -> body(Instance, Body, Place, Plan) end};
@@ -97,6 +128,7 @@ inside({conjunction, Parts}, Place, Plan) ->
 inside({implies, Pre, Later}, Place, Plan) ->
     {implies, Pre, later(Later, Place, Plan)};
 inside({sample, Sample, Printer, Test}, Place, Plan) ->
+    ok = sampled(Sample, Printer, Plan),
     {sample, Sample, Printer, inside(Test, Place, Plan)};
 inside({whenfail, Action, Later}, Place, Plan) ->
     {whenfail, fun() -> action(Action) end, later(Later, Place, Plan)};

@@ -15,6 +15,7 @@
     boolean
     | pos_integer
     | non_neg_integer
+    | probability
     | string
     | {list, string | atom}
     | seed
@@ -67,6 +68,12 @@ table() ->
         {time, undefined, pos_integer, undefined, ours, "seconds to go on testing each property"},
         {timeout, undefined, pos_integer, undefined, ours,
             "milliseconds without progress that count as a hang (10000)"},
+        {workers, undefined, pos_integer, undefined, ours,
+            "VMs that run tests side by side, with the same results (1)"},
+        {boundary_bias, undefined, probability, undefined, ours,
+            "probability of a limit in place of a value in a range (0)"},
+        {max_runs, undefined, pos_integer, undefined, ours,
+            "runs in each guided search (2000)"},
         {stats, undefined, boolean, false, ours, "statistics of commands, faults and lengths"},
         {junit, undefined, string, undefined, ours, "file for a JUnit XML report"},
         {json, undefined, string, undefined, ours, "file for a JSON report"}
@@ -98,13 +105,13 @@ parse([Word | _], _Options) ->
     {error, "unexpected argument " ++ Word ++ "; options begin with - (see --help)"}.
 
 long(Name, Args, Options) ->
-    case [O || O <- table(), atom_to_list(element(1, O)) =:= Name] of
+    case [O || O <- table(), lists:member(Name, [atom_to_list(element(1, O)), word(O)])] of
         [Option] -> value(Option, Args, Options);
         [] -> unknown("--" ++ Name)
     end.
 
 unknown(Name) ->
-    Known = ["--" ++ atom_to_list(element(1, O)) || O <- table()],
+    Known = ["--" ++ word(O) || O <- table()],
     {error, "unknown option " ++ Name ++ faultcheck_suggest:phrase(Name, Known)}.
 
 value({Key, _, boolean, _, _, _}, Args, Options) ->
@@ -143,6 +150,7 @@ bad(Key, Type, Text) ->
 describe(boolean) -> "true or false";
 describe(pos_integer) -> "a whole number from 1";
 describe(non_neg_integer) -> "a whole number from 0";
+describe(probability) -> "a number from 0 to 1";
 describe(seed) -> lists:concat(["a whole number from 0 to ", ?SEED_LIMIT, " as it was printed"]);
 describe(string) -> "a text";
 describe({list, _}) -> "names separated by commas";
@@ -150,6 +158,7 @@ describe({one_of, Atoms}) -> lists:concat(lists:join(" or ", Atoms)).
 
 convert(pos_integer, Text) -> number(Text, 1);
 convert(non_neg_integer, Text) -> number(Text, 0);
+convert(probability, Text) -> probability(Text);
 convert(seed, Text) -> seed(string:split(Text, "@"));
 convert(string, "") -> error;
 convert(string, Text) -> {ok, Text};
@@ -159,6 +168,13 @@ convert({list, Item}, Text) -> items(Item, string:lexemes(Text, ", ")).
 number(Text, Least) ->
     case string:to_integer(Text) of
         {N, ""} when is_integer(N), N >= Least -> {ok, N};
+        _ -> error
+    end.
+
+probability(Text) ->
+    case {string:to_float(Text), string:to_integer(Text)} of
+        {{P, ""}, _} when is_float(P), P >= 0, P =< 1 -> {ok, P};
+        {_, {P, ""}} when P =:= 0; P =:= 1 -> {ok, P};
         _ -> error
     end.
 
@@ -206,6 +222,7 @@ check([Other | _], _Options) ->
 valid(boolean, V) -> is_boolean(V);
 valid(pos_integer, V) -> is_integer(V) andalso V >= 1;
 valid(non_neg_integer, V) -> is_integer(V) andalso V >= 0;
+valid(probability, V) -> is_number(V) andalso V >= 0 andalso V =< 1;
 valid(seed, V) -> is_integer(V) andalso V >= 0 andalso V =< ?SEED_LIMIT;
 valid(string, V) -> io_lib:printable_unicode_list(V);
 valid({one_of, Atoms}, V) -> lists:member(V, Atoms);
@@ -230,7 +247,7 @@ proper(_Key, ours, _) -> [].
 -spec arguments(options()) -> [string()].
 arguments(Options) ->
     Keys = [Key || {Key, _, _, _, Kind, _} <- table(), Kind =/= ours] ++
-        [dir, transport, time, timeout, sys_config],
+        [dir, transport, time, timeout, sys_config, boundary_bias, max_runs],
     lists:append([arguments(Key, maps:get(Key, Options)) || Key <- Keys, set(Key, Options)]).
 
 set(Key, Options) ->
@@ -239,12 +256,20 @@ set(Key, Options) ->
 
 arguments(Key, true) -> [lists:concat(["--", Key])];
 arguments(Key, [[_ | _] | _] = Names) -> arguments(Key, lists:append(lists:join(",", Names)));
-arguments(Key, Value) -> [lists:concat(["--", Key]), lists:concat([Value])].
+arguments(Key, Value) -> ["--" ++ word(Key), written(Value)].
+
+written(Value) when is_float(Value) -> float_to_list(Value, [short]);
+written(Value) -> lists:concat([Value]).
+
+%% The word of an option; those of PropEr's plugin have underscores.
+word(boundary_bias) -> "boundary-bias";
+word(Key) when is_atom(Key) -> atom_to_list(Key);
+word(Option) -> word(element(1, Option)).
 
 %% @doc The table as rebar3 wants it for `rebar3 help proper'.
 -spec getopt() -> [{atom(), char() | undefined, string(), atom(), string()}].
 getopt() ->
-    [{Key, S, atom_to_list(Key), getopt_type(Type), Help} || {Key, S, Type, _, _, Help} <- table()].
+    [{Key, S, word(Key), getopt_type(Type), Help} || {Key, S, Type, _, _, Help} <- table()].
 
 getopt_type(boolean) -> boolean;
 getopt_type(pos_integer) -> integer;
@@ -256,7 +281,7 @@ help() ->
     lists:flatten([help_line(O) || O <- table()]).
 
 help_line({Key, Short, Type, Default, _, Help}) ->
-    Name = [[[$-, Short, $,, $\s] || Short =/= undefined], "--", atom_to_list(Key), arg(Type)],
+    Name = [[[$-, Short, $,, $\s] || Short =/= undefined], "--", word(Key), arg(Type)],
     Shown = [[" [", shown(Default), "]"] || Default =/= undefined],
     io_lib:format("  ~-28ts~ts~ts~n", [Name, Help, Shown]).
 
@@ -265,6 +290,7 @@ arg({one_of, Atoms}) -> [" ", lists:join("|", [atom_to_list(A) || A <- Atoms])];
 arg({list, _}) -> " A,B";
 arg(string) -> " TEXT";
 arg(seed) -> " SEED";
+arg(probability) -> " P";
 arg(_) -> " N".
 
 shown(Default) when is_atom(Default) -> atom_to_list(Default);

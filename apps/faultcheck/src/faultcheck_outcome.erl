@@ -9,7 +9,8 @@
     seed := non_neg_integer(),
     versions := faultcheck_versions:versions(),
     command := string(),
-    replay := string()
+    replay := string(),
+    team := faultcheck_team:team()
 }.
 -type task() :: {{module(), atom()}, faultcheck_property:task()}.
 -type session() :: faultcheck_session:session().
@@ -19,8 +20,24 @@
 %% @doc Runs a property for a task.
 -spec get(task(), context(), session()) ->
     {faultcheck_runner:outcome() | interrupted, session()}.
-get(Task, Context, Session) ->
+get({_, run} = Task, #{team := Team} = Context, Session) ->
     Job = job(Task, Context),
+    Began = erlang:monotonic_time(millisecond),
+    case faultcheck_team:known(Job, Team) of
+        interrupted ->
+            {interrupted, Session};
+        Known ->
+            Ms = erlang:monotonic_time(millisecond) - Began,
+            {Outcome, Next} = get(Task, Job#{known => Known}, Context, Session),
+            {longer(Ms, Outcome), Next}
+    end;
+get(Task, Context, Session) ->
+    get(Task, job(Task, Context), Context, Session).
+
+longer(_Ms, interrupted) -> interrupted;
+longer(More, #{ms := Ms} = Outcome) -> Outcome#{ms := Ms + More}.
+
+get(Task, Job, Context, Session) ->
     {Answer, Next} = faultcheck_session:run(Job, Session),
     case judged(Answer, Job, Next) of
         {interrupted, Last} -> {interrupted, Last};
@@ -35,7 +52,10 @@ job({{Module, Function}, Task}, #{options := Options, seed := Seed}) ->
         seed => Seed,
         proper => faultcheck_options:proper(Options)
     },
-    Names = [{transport, transport}, {time, time}, {stats, stats}, {timeout, limit}],
+    Names = [
+        {transport, transport}, {time, time}, {stats, stats}, {timeout, limit},
+        {boundary_bias, bias}, {max_runs, max_runs}
+    ],
     Given = [{To, maps:get(From, Options)} || {From, To} <- Names, is_map_key(From, Options)],
     maps:merge(Job, maps:from_list(Given)).
 

@@ -11,6 +11,8 @@
 
 -type task() ::
     run
+    %% tests whose numbers faultcheck_team gives out
+    | share
     %% one test once more, shrunk when it fails
     | {repeat, Number :: pos_integer(), Size :: non_neg_integer()}
     %% the same without shrinking
@@ -36,7 +38,12 @@
     limit => pos_integer(),
     %% seconds
     time => pos_integer(),
-    stats => boolean()
+    stats => boolean(),
+    %% boundary bias of generators, runs of a guided search
+    bias => faultcheck_range:bias(),
+    max_runs => pos_integer(),
+    %% what workers have found out
+    known => faultcheck_known:known()
 }.
 -type failure() :: #{
     test := pos_integer(), size := non_neg_integer(), original := proper:counterexample()
@@ -114,10 +121,13 @@ environment(Job, Meta) ->
      || T <- transport(maps:find(transport, Job), proplists:lookup(transport, Meta))
     ],
     lists:foreach(
-        fun(Key) -> application:unset_env(c_bridge, Key) end,
-        [force_transport, force_reset, timeout_factor]
+        fun({App, Key}) -> application:unset_env(App, Key) end,
+        [{c_bridge, K} || K <- [force_transport, force_reset, timeout_factor]] ++
+            [{faultcheck, K} || K <- [boundary_bias, max_runs]]
     ),
-    lists:foreach(fun({App, Key, V}) -> application:set_env(App, Key, V) end, Transport ++ Given).
+    Named = [{bias, boundary_bias}, {max_runs, max_runs}],
+    Ours = [{faultcheck, To, maps:get(From, Job)} || {From, To} <- Named, is_map_key(From, Job)],
+    lists:foreach(fun({App, Key, V}) -> application:set_env(App, Key, V) end, Transport ++ Ours ++ Given).
 
 transport({ok, Transport}, _) -> [Transport];
 transport(error, {transport, Transport}) -> [Transport];
@@ -134,6 +144,7 @@ prepare(#{proper := Given} = Job, Meta, {_, Outer} = Property, Tests, Tell) ->
         tests => Tests,
         tell => Tell,
         exceptions => ets:new(exceptions, [public]),
+        known => maps:get(known, Job, #{}),
         deadline => infinity
     }.
 
@@ -179,6 +190,11 @@ task(#{job := #{task := run} = Job} = Run) ->
                 tests(0, Run)
         end,
     stats_stop(Job, Result);
+task(#{job := #{task := share} = Job} = Run) ->
+    ok = stats_start(Job),
+    Result = faultcheck_share:run(Run),
+    _ = faultcheck_stats:stop(),
+    Result;
 task(#{job := #{task := {repeat, Number, Size}}} = Run) ->
     faultcheck_failing:shrunk(Number, Size, Run);
 task(#{job := #{task := {confirm, Number, Size}}} = Run) ->
@@ -232,7 +248,7 @@ tests(First, #{fails := Fails, tell := Tell} = Run) ->
             Line = "all tests passed, but the property is expected to fail",
             #{status => failed, reasons => [Line]};
         true ->
-            #{status => passed};
+            faultcheck_failing:doubted(First, Run);
         {error, Reason} ->
             faultcheck_failing:error(Reason);
         _ when Fails ->

@@ -24,7 +24,8 @@
     request := request(),
     seed := non_neg_integer(),
     versions := faultcheck_versions:versions(),
-    work_dir := file:filename()
+    work_dir := file:filename(),
+    team => faultcheck_team:team()
 }.
 
 %% ---- what the user is told ----------------------------------------------------------------
@@ -63,19 +64,23 @@ with_session(#{options := Options, base_dir := Base} = Request, Fun) ->
     },
     ok = faultcheck_interrupt:install(self()),
     Session = faultcheck_session:new(config(Run)),
+    Team = faultcheck_team:new(maps:get(workers, Options, 1), config(Run)),
     try
-        {Result, Last} = Fun(Run, Session),
+        {Result, Last} = Fun(Run#{team => Team}, Session),
         _ = faultcheck_session:stop(Last),
         Result
     after
+        ok = faultcheck_team:stop(Team),
         ok = faultcheck_interrupt:remove(),
         _ = file:del_dir_r(WorkDir)
     end.
 
 %% @doc What an outcome is made in.
 -spec context(run()) -> faultcheck_outcome:context().
-context(#{request := Request, seed := Seed, versions := Versions}) ->
-    (maps:with([options, command, replay], Request))#{seed => Seed, versions => Versions}.
+context(#{request := Request} = Run) ->
+    maps:merge(
+        maps:with([options, command, replay], Request), maps:with([seed, versions, team], Run)
+    ).
 
 %% Different in every run, also of runs begun at the same moment.
 new_seed() ->

@@ -8,9 +8,11 @@
 -module(faultcheck_stats).
 
 -export([start/0, stop/0, format/1]).
+-export([take/0, add/1]).
 -export([active/0, generated/0, shrinking/0, rejected/1, sequence/4]).
--export_type([stats/0]).
+-export_type([stats/0, rows/0]).
 
+-type rows() :: [{Key :: term(), pos_integer()}].
 -type counts() :: #{term() => pos_integer()}.
 -type stats() :: #{tests := non_neg_integer(),
                    commands := counts(),
@@ -39,6 +41,25 @@ stop() ->
             true = ets:delete(Table),
             stats(Rows)
     end.
+
+%% @doc The counts so far, as add/1 takes them; counting goes on from zero.
+-spec take() -> rows().
+take() ->
+    case table() of
+        none ->
+            [];
+        Table ->
+            Rows = [Row || {Key, N} = Row <- ets:tab2list(Table), is_integer(N), Key =/= shrinking],
+            _ = [ets:delete(Table, Key) || {Key, _} <- Rows],
+            Rows
+    end.
+
+%% @doc Adds counts that were taken elsewhere.
+-spec add(rows()) -> ok.
+add(Rows) ->
+    with_table(fun(Table) ->
+                       [ets:update_counter(Table, Key, N, {Key, 0}) || {Key, N} <- Rows]
+               end).
 
 %% @doc Is anything being counted?
 -spec active() -> boolean().

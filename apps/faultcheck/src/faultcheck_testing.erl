@@ -2,7 +2,7 @@
 %% counterexample.
 -module(faultcheck_testing).
 
--export([all/2, again/3, single/4, values/3, check/2]).
+-export([all/2, shared/3, again/3, single/4, values/3, check/2]).
 -export_type([run/0, tell/0]).
 
 %% To the process that carries what is printed; see faultcheck_worker.
@@ -19,6 +19,8 @@
     tests := counters:counters_ref(),
     tell := tell(),
     exceptions := ets:tid(),
+    %% what workers have found out already
+    known := faultcheck_known:known(),
     %% in milliseconds of the monotonic clock
     deadline := integer() | infinity
 }.
@@ -40,11 +42,48 @@ all(First, #{numtests := Numtests, exceptions := Exceptions} = Run) ->
         CounterExample -> {failed, get(number), get(size), CounterExample}
     end.
 
-%% Whether there is time for another test.
-begun(_Number, #{tests := Tests, deadline := Deadline}) ->
-    case Deadline =:= infinity orelse erlang:monotonic_time(millisecond) < Deadline of
-        true -> counters:add(Tests, 1, 1);
-        false -> stop
+%% A test that is known takes no time; is there time for another one?
+begun(Number, #{known := Known, deadline := Deadline} = Run) ->
+    case Known of
+        #{Number := Outcome} ->
+            counted(known(faultcheck_known:test(Outcome), Number), Run);
+        #{} ->
+            case Deadline =:= infinity orelse erlang:monotonic_time(millisecond) < Deadline of
+                true -> counted(run, Run);
+                false -> stop
+            end
+    end.
+
+%% It failed in a worker; should it pass now, its size is wanted.
+known(run, Number) ->
+    put({doubted, Number}, faultcheck_instrument:size()),
+    run;
+known(Test, _Number) ->
+    {instead, Test}.
+
+counted(Turn, #{tests := Tests}) ->
+    counters:add(Tests, 1, 1),
+    Turn.
+
+%% @doc One loop through numtests numbers behind First, of which Turn says what to do with each.
+%% Nothing is shown. Ends at the first test that fails.
+-spec shared(non_neg_integer(), fun((pos_integer()) -> run | skip | stop), run()) ->
+    true | {failed, pos_integer()} | {error, term()}.
+shared(First, Turn, #{numtests := Numtests, exceptions := Exceptions, tests := Tests} = Run) ->
+    true = ets:delete_all_objects(Exceptions),
+    Next = counting(First, fun(Number) ->
+        Is = Turn(Number),
+        _ = Is =:= run andalso counters:add(Tests, 1, 1),
+        put(running, Is =:= run),
+        Is
+    end),
+    Print = faultcheck_transcript:printer(share, Run),
+    Options = [{numtests, Numtests}, noshrink, {on_output, Print}],
+    Samples = maps:from_list([{samples, true} || not is_map_key(time, maps:get(job, Run))]),
+    case quickcheck(Next, Options, Samples, Run) of
+        true -> true;
+        {error, _} = Error -> Error;
+        _ -> {failed, get(number)}
     end.
 
 %% The number of each test to come. After the failing one PropEr runs the property again, to
@@ -61,13 +100,16 @@ counting(First, Begun) ->
 
 count(Number, Begun) ->
     case Begun(Number) of
-        ok ->
+        stop ->
+            stop;
+        Turn ->
             put(number, Number),
             put(size, faultcheck_instrument:size()),
-            Number;
-        stop ->
-            stop
+            turn(Turn, Number)
     end.
+
+turn(run, Number) -> Number;
+turn(Other, _Number) -> Other.
 
 %% @doc The same tests once more, with shrinking, up to the failing one: for a property whose
 %% test Number depends on those before it.
@@ -75,7 +117,7 @@ count(Number, Begun) ->
     true | proper:counterexample() | {error, term()}.
 again(First, Number, #{numtests := Numtests, tell := Tell} = Run) ->
     Next = counting(First, fun
-        (N) when N =< Number -> ok;
+        (N) when N =< Number -> run;
         (_) -> stop
     end),
     put(shrinks, 0),

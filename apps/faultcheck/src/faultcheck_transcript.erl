@@ -18,7 +18,7 @@ most_dots() -> ?MOST_DOTS.
 reasons() -> lists:reverse(get(printed)).
 
 %% @doc What PropEr is given as on_output for a job of one kind.
--spec printer(run | shrink | mute | check, faultcheck_testing:run()) ->
+-spec printer(run | share | shrink | mute | check, faultcheck_testing:run()) ->
     fun((string(), [term()]) -> ok).
 printer(Mode, #{job := Job, property := {_, Outer}, numtests := N, tell := Tell} = Run) ->
     put(printed, []),
@@ -32,6 +32,14 @@ output(run, testing, Dot, [], #{dots := Dots, print := Print}) when Dot =:= ".";
     Shown = get(dots),
     put(dots, Shown + 1),
     _ = Dots andalso Shown < ?MOST_DOTS andalso Print(Dot, []),
+    ok;
+output(share, testing, Dot, [], #{run := Run}) when Dot =:= "."; Dot =:= "x" ->
+    %% Empty tests have dots, too.
+    _ = get(running) andalso
+        faultcheck_share:tested(maps:get(Dot, #{"." => passed, "x" => rejected}), Run),
+    ok;
+output(share, testing, "!", [], _) ->
+    put(phase, failed),
     ok;
 output(Mode, testing, "!", [], #{dots := Dots, print := Print, run := Run}) ->
     put(phase, failed),

@@ -17,7 +17,11 @@
     cover := #{dirs := [file:filename()], file := file:filename()} | none
 }.
 -type to_worker() ::
-    {setup, setup()} | {run, faultcheck_property:job()} | stop.
+    {setup, setup()}
+    | {run, faultcheck_property:job()}
+    %% the answer to want_tests
+    | {tests, {First :: pos_integer(), Last :: pos_integer()} | none}
+    | stop.
 -type from_worker() ::
     {hello, OsPid :: pos_integer()}
     | {ready, faultcheck_versions:versions()}
@@ -26,6 +30,9 @@
     | {started, #{limit := pos_integer(), numtests := pos_integer(), doc := string()}}
     | {output, binary()}
     | {progress, non_neg_integer()}
+    %% of a job `share': asks for numbers of tests, tells what came of one
+    | want_tests
+    | {tested, pos_integer(), faultcheck_known:outcome()}
     | {failed, faultcheck_property:failure()}
     %% how far shrinking is: tries, accepted, original, length
     | {shrinking, #{atom() => non_neg_integer()}}
@@ -45,6 +52,8 @@
     tests :: counters:counters_ref(),
     %% what it prints is dropped while true
     mute = false :: boolean(),
+    %% what it prints is kept there, when a process has asked for it once
+    captured = none :: none | binary(),
     cover = none :: file:filename() | none
 }).
 
@@ -65,14 +74,17 @@ loop(#state{channel = Channel, runner = Runner} = State) ->
             erlang:halt(0, [{flush, false}]);
         {io_request, From, Tag, Request} ->
             {Text, Reply} = faultcheck_output:request(Request),
-            ok = output(Text, State),
+            Next = output(Text, State),
             From ! {io_reply, Tag, Reply},
-            loop(State);
+            loop(Next);
         {mute, Mute} ->
             loop(State#state{mute = Mute});
         {show, Text} ->
-            ok = output(Text, State#state{mute = false}),
-            loop(State);
+            Next = output(Text, State#state{mute = false}),
+            loop(Next#state{mute = State#state.mute});
+        {capture, From} ->
+            From ! {captured, captured(State)},
+            loop(State#state{captured = <<>>});
         {tell, Message} ->
             send(Channel, Message),
             loop(State);
@@ -82,9 +94,18 @@ loop(#state{channel = Channel, runner = Runner} = State) ->
             loop(ended(Reason, State))
     end.
 
-output(<<>>, _State) -> ok;
-output(_Text, #state{mute = true}) -> ok;
-output(Text, #state{channel = Channel}) -> send(Channel, {output, Text}).
+output(<<>>, State) ->
+    State;
+output(_Text, #state{mute = true} = State) ->
+    State;
+output(Text, #state{captured = none, channel = Channel} = State) ->
+    send(Channel, {output, Text}),
+    State;
+output(Text, #state{captured = Before} = State) ->
+    State#state{captured = <<Before/binary, Text/binary>>}.
+
+captured(#state{captured = none}) -> <<>>;
+captured(#state{captured = Text}) -> Text.
 
 -spec send(port(), from_worker()) -> ok.
 send(Channel, Message) ->
@@ -106,7 +127,11 @@ command({run, Job}, #state{tests = Tests} = State) ->
     Main = self(),
     Runner = spawn_monitor(fun() -> run(Main, Job, Tests) end),
     _ = erlang:send_after(?PROGRESS_MS, self(), progress),
-    State#state{runner = Runner, mute = false};
+    State#state{runner = Runner, mute = false, captured = none};
+command({tests, _} = Tests, #state{runner = Runner} = State) ->
+    %% It may have died while it waited.
+    _ = [Pid ! Tests || {Pid, _} <- [Runner]],
+    State;
 command(stop, #state{channel = Channel, cover = Cover}) ->
     _ = Cover =/= none andalso cover:export(Cover),
     send(Channel, stopped),
