@@ -64,7 +64,7 @@ doubted(First, #{known := Known, numtests := Numtests} = Run) ->
         {Number, Line} when Number > First, Number =< First + Numtests ->
             Size = get({doubted, Number}),
             Values = faultcheck_testing:values(Number, Size, Run),
-            #{status => flaky, flaky => {1, 2}, test => Number, size => Size, reasons => [Line],
+            #{status => flaky, flaky => {0, 1}, test => Number, size => Size, reasons => [Line],
               original => Values, shrunk => Values};
         _ ->
             #{status => passed}

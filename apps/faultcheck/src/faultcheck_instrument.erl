@@ -40,12 +40,12 @@ peel({on_output, Print, Test}, Outer) -> peel(Test, Outer#{on_output => Print});
 peel({setup, Fun, Test}, Outer) -> peel(Test, Outer#{setup => [Fun | maps:get(setup, Outer, [])]});
 peel(Test, Outer) -> {Test, Outer}.
 
-%% @doc Whether test i needs nothing of the tests before it. Searches of PropEr do.
--spec independent(proper:test()) -> boolean().
-independent({Kind, _, _}) -> lists:member(Kind, [forall, implies, whenfail, timeout]);
-independent({sample, _, _, Test}) -> independent(Test);
-independent({Kind, _}) -> lists:member(Kind, [conjunction, trapexit]);
-independent(Test) -> is_boolean(Test) orelse is_function(Test, 0).
+%% @doc Whether test i needs nothing of the tests before it. Searches of PropEr do: an ?EXISTS, and a
+%% targeted property, which PropEr gives a set-up function of its own.
+-spec independent({proper:test(), outer()}) -> boolean().
+independent({Test, Outer}) ->
+    Own = [F || F <- maps:get(setup, Outer, []), erlang:fun_info(F, module) =:= {module, proper}],
+    Own =:= [] andalso not (is_tuple(Test) andalso element(1, Test) =:= exists).
 
 %% @doc The property with everything added, and its set-up functions back in place.
 %%
@@ -118,7 +118,8 @@ take_samples(Table) ->
 %% @doc A test with samples.
 -spec with_samples([{Sample :: term(), Printer :: term()}], proper:test()) -> proper:test().
 with_samples(Samples, Test) ->
-    lists:foldr(fun({Sample, Printer}, Inner) -> {sample, Sample, Printer, Inner} end, Test, Samples).
+    Add = fun({Sample, Printer}, Inner) -> {sample, Sample, Printer, Inner} end,
+    lists:foldr(Add, Test, Samples).
 
 %% Walks into the property as far as it is known already, and wraps the parts that come later.
 inside({forall, Type, Body}, Place, Plan) when is_function(Body, 1) ->

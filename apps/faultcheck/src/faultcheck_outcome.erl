@@ -28,11 +28,15 @@ get({_, run} = Task, #{team := Team} = Context, Session) ->
             {interrupted, Session};
         Known ->
             Ms = erlang:monotonic_time(millisecond) - Began,
-            {Outcome, Next} = get(Task, Job#{known => Known}, Context, Session),
+            {Outcome, Next} = get(Task, told(Known, Job), Context, Session),
             {longer(Ms, Outcome), Next}
     end;
 get(Task, Context, Session) ->
     get(Task, job(Task, Context), Context, Session).
+
+%% The time was for the workers.
+told(Known, #{time := _} = Job) when map_size(Known) > 0 -> Job#{known => Known, time := 0};
+told(Known, Job) -> Job#{known => Known}.
 
 longer(_Ms, interrupted) -> interrupted;
 longer(More, #{ms := Ms} = Outcome) -> Outcome#{ms := Ms + More}.

@@ -37,7 +37,7 @@
     env => [{atom(), atom(), term()}],
     limit => pos_integer(),
     %% seconds
-    time => pos_integer(),
+    time => non_neg_integer(),
     stats => boolean(),
     %% boundary bias of generators, runs of a guided search
     bias => faultcheck_range:bias(),
@@ -228,7 +228,8 @@ task(#{job := #{task := {report, Case, Dir}, module := Module}}) ->
 batches(First, #{numtests := Numtests, deadline := Deadline} = Run) ->
     case tests(First, Run) of
         #{status := passed} = Passed ->
-            case erlang:monotonic_time(millisecond) < Deadline of
+            Known = is_map_key(First + Numtests + 1, maps:get(known, Run)),
+            case Known orelse erlang:monotonic_time(millisecond) < Deadline of
                 true -> batches(First + Numtests, Run);
                 false -> passed(Passed, Run)
             end;

@@ -12,11 +12,11 @@
 
 %% @doc Runs blocks of tests until there are no more, or one fails.
 -spec run(run()) -> faultcheck_property:result().
-run(#{property := {Test, _}} = Run) ->
-    case faultcheck_instrument:independent(Test) of
+run(#{property := Property} = Run) ->
+    case faultcheck_instrument:independent(Property) of
         true -> blocks(ask(Run), Run);
         %% Its tests are left to the run itself.
-        false -> #{status => passed}
+        false -> #{status => error}
     end.
 
 ask(#{tell := Tell}) ->

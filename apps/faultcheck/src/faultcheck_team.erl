@@ -48,7 +48,10 @@
     began :: integer(),
     shown :: integer(),
     deadline :: integer() | infinity,
-    interrupted = false :: boolean()
+    interrupted = false :: boolean(),
+    %% nothing more is given out: interrupted, or this property cannot be shared or not be run;
+    %% then the run itself does the rest, and tells why it cannot
+    ended = false :: boolean()
 }).
 
 %% @doc So many workers; none when one is enough. Their VMs start with the first property.
@@ -131,7 +134,7 @@ loop(Work) ->
             loop(show(said(Message, Pid, Work)));
         faultcheck_interrupt ->
             lists:foreach(fun(Pid) -> Pid ! faultcheck_interrupt end, Work#work.busy),
-            loop(Work#work{interrupted = true})
+            loop(Work#work{interrupted = true, ended = true})
     end.
 
 said({started, #{numtests := Numtests}}, _Pid, #work{limit = none, members = Members} = Work) ->
@@ -155,6 +158,8 @@ said({searching, How}, Pid, #work{searching = Searching} = Work) ->
     Work#work{searching = Searching#{Pid => How}};
 said({lost, Number, How}, Pid, Work) ->
     lost(Number, How, left(Pid, Work));
+said(gave_up, _Pid, Work) ->
+    Work#work{ended = true};
 said(idle, Pid, #work{busy = Busy} = Work) ->
     left(Pid, Work#work{busy = lists:delete(Pid, Busy)}).
 
@@ -162,7 +167,7 @@ limit(_Numtests, #work{deadline = Deadline}) when is_integer(Deadline) -> infini
 limit(Numtests, _) -> Numtests.
 
 %% The next block, and what is left then: nothing behind a test that failed.
-to_do(#work{interrupted = true} = Work) ->
+to_do(#work{ended = true} = Work) ->
     {none, Work};
 to_do(#work{back = [{First, Last} | Back]} = Work) ->
     case min(Last, last(Work)) of
@@ -280,8 +285,9 @@ idle(Child, Start) ->
 work(none, Job, From, {Name, Count, Options} = Start) ->
     case faultcheck_child:start(Name ++ "." ++ integer_to_list(Count), Options) of
         {ok, Child} -> work(Child, Job, From, {Name, Count + 1, Options});
-        %% The run itself will tell why.
-        {error, _} -> {none, Start}
+        {error, _} ->
+            From ! {worker, self(), gave_up},
+            {none, Start}
     end;
 work(Child, Job, From, Start) ->
     Say = fun(Message) ->
@@ -323,7 +329,10 @@ events(Child, Watch, Job, Say) ->
             lost;
         {interrupted, _} ->
             interrupted;
+        {{result, #{status := Status}}, _} when Status =:= passed; Status =:= failed ->
+            done;
         {{Ended, _}, _} when Ended =:= result; Ended =:= died ->
+            ok = Say(gave_up),
             done;
         {_, Next} ->
             events(Child, Next, Job, Say)

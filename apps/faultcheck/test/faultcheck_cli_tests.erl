@@ -68,13 +68,20 @@ project_test_() ->
             {timeout, 60, {"a damaged case is one line", fun() -> damaged(Dir) end}},
             {timeout, 60, {"a model that does not compile is status 3", fun() -> broken(Dir) end}},
             {timeout, 60, {"SIGINT ends with 130 and leaves no process", fun() ->
-                ?assertEqual({signal, 2}, signalled(Dir, 2))
+                ?assertEqual({signal, 2}, signalled(Dir, 2, "1"))
             end}},
+            {timeout, 60, {"SIGINT ends a run with workers", fun() ->
+                ?assertEqual({signal, 2}, signalled(Dir, 2, "2"))
+            end}},
+            {timeout, 60, {"kill -9 of a program with workers leaves no process", fun() ->
+                ?assertEqual({signal, 9}, signalled(Dir, 9, "2"))
+            end}},
+            {timeout, 60, {"kill -9 of a worker loses nothing", fun() -> worker_killed(Dir) end}},
             {timeout, 60, {"SIGTERM ends with 130 and leaves no process", fun() ->
-                ?assertEqual({signal, 2}, signalled(Dir, 15))
+                ?assertEqual({signal, 2}, signalled(Dir, 15, "1"))
             end}},
             {timeout, 60, {"kill -9 of the program leaves no process and whole files", fun() ->
-                ?assertEqual({signal, 9}, signalled(Dir, 9))
+                ?assertEqual({signal, 9}, signalled(Dir, 9, "1"))
             end}},
             {timeout, 60, {"kill -9 of the child VM fails its property, the run goes on", fun() ->
                 child_killed(Dir)
@@ -95,8 +102,9 @@ waiting() ->
     "-include_lib(\"proper/include/proper.hrl\").\n"
     "prop_wait() ->\n"
     "    ?FORALL(_, integer(), begin\n"
-    "        ok = file:write_file(\"pid.new\", os:getpid()),\n"
-    "        ok = file:rename(\"pid.new\", \"pid\"),\n"
+    "        New = \"pid.\" ++ os:getpid(),\n"
+    "        ok = file:write_file(New, os:getpid()),\n"
+    "        ok = file:rename(New, \"pid\"),\n"
     "        timer:sleep(10), true end).\n".
 
 finds(Dir) ->
@@ -146,8 +154,9 @@ broken(Dir) ->
     has("prop_broken.erl", Text),
     ok = file:delete(File).
 
-signalled(Dir, Signal) ->
-    {Program, Pid} = waiting_program(Dir, ["proper", "-m", "prop_wait", "-n", "100000"]),
+signalled(Dir, Signal, Workers) ->
+    Words = ["proper", "-m", "prop_wait", "-n", "100000", "--workers", Workers],
+    {Program, Pid} = waiting_program(Dir, Words),
     ok = cb_nif:kill(os_pid(Program), Signal),
     {ended, Ending} = ended(Program),
     ok = gone(Pid),
@@ -157,6 +166,15 @@ signalled(Dir, Signal) ->
     {ok, Text} = file:read_file(filename:join(Dir, "log")),
     ?assertEqual(Signal =/= 9, string:find(Text, "===> interrupted") =/= nomatch),
     Ending.
+
+worker_killed(Dir) ->
+    Words = ["proper", "-m", "prop_wait", "-n", "100", "--workers", "2"],
+    {Program, Pid} = waiting_program(Dir, Words),
+    ok = cb_nif:kill(Pid, 9),
+    {ended, Ending} = ended(Program),
+    ?assertEqual({exit, 0}, Ending),
+    {ok, Text} = file:read_file(filename:join(Dir, "log")),
+    has("OK: Passed 100 test(s).", Text).
 
 child_killed(Dir) ->
     Words = ["proper", "-p", "prop_wait,prop_ring", "-m", "prop_wait,prop_ring", "-n", "300"],

@@ -48,6 +48,60 @@ prop_missing() ->
         ?FORALL(_, integer(), true)
     ).
 
+%% Everything that a test may leave behind: samples, rejected cases, prints.
+prop_chatty() ->
+    ?FORALL(
+        L,
+        list(integer()),
+        ?IMPLIES(
+            length(L) =/= 2,
+            begin
+                length(L) =:= 7 andalso io:format("seven: ~w~n", [L]),
+                collect(length(L) div 5, measure("sum", lists:sum(L), length(L) < limit()))
+            end
+        )
+    ).
+
+limit() -> list_to_integer(os:getenv("FAULTCHECK_TEST_LIMIT", "1000")).
+
+%% One search a test.
+prop_search() ->
+    Options = #{max_runs => 30, begin_test => fun() -> cart_model:reset(1.0 * limit()) end},
+    faultcheck_search:property(cart_model, Options).
+
+%% Does something to its VM or its verdict in the first tests that have a list of seven; how many
+%% are left to do is in a file.
+prop_struck() ->
+    ?FORALL(L, list(integer()), length(L) =/= 7 orelse strike(os:getenv("FAULTCHECK_TEST_STRIKES"))).
+
+strike(File) ->
+    {ok, Left} = file:read_file(File),
+    case binary_to_list(Left) of
+        [] ->
+            true;
+        [How | Rest] ->
+            ok = file:write_file(File, Rest),
+            struck(How)
+    end.
+
+struck($k) ->
+    ok = cb_nif:kill(list_to_integer(os:getpid()), 9),
+    receive never -> true end;
+struck($f) ->
+    false.
+
+%% Which VM ran it.
+prop_where() ->
+    File = os:getenv("FAULTCHECK_TEST_DRAW"),
+    ?FORALL(
+        _,
+        integer(),
+        begin
+            ok = file:write_file(File, os:getpid() ++ "\n", [append]),
+            true
+        end
+    ).
+
 %% Only newer versions of PropEr search.
 -ifdef(FORALL_TARGETED).
 prop_targeted() ->
