@@ -30,6 +30,7 @@
     {noise_uniform, real()}
     | {noise_gauss, real()}
     | {random_offset, Low :: real(), High :: real()}
+    | {held_offset, Low :: real(), High :: real(), Ns :: pos_integer()}
     | {drift | drift_timed, Rate :: real(), Limit :: real() | none}
     | {ramp, real(), Calls :: pos_integer()}
     | {delay, {calls, non_neg_integer()}}
@@ -138,12 +139,17 @@ expected({delay, _}, _) -> "{calls, N}, {gets, N} or {ns, N} with N from 0 up";
 expected(_, Kind) -> faultcheck_fault_parameter:expected(Kind).
 
 cross_check({Name, Low, High} = Model, _) when Name =:= saturate; Name =:= random_offset ->
+    check_limits(Low, High, Model);
+cross_check({held_offset, Low, High, _} = Model, _) ->
+    check_limits(Low, High, Model);
+cross_check(_, _) ->
+    ok.
+
+check_limits(Low, High, Model) ->
     case at_most(Low, High) of
         true -> ok;
         false -> invalid("fault ~tp: Low is ~tp, expected at most High, ~tp", [Model, Low, High])
-    end;
-cross_check(_, _) ->
-    ok.
+    end.
 
 at_most(neg_inf, _) -> true;
 at_most(_, inf) -> true;

@@ -55,6 +55,8 @@ sensor() ->
               "adds a normal number of that standard deviation, at most 6 of them", "noise"),
         entry(sensor, probe, random_offset, [{'Low', real}, {'High', real}],
               "adds a number drawn evenly from Low..High", "offset"),
+        entry(sensor, probe, held_offset, [{'Low', real}, {'High', real}, {'Ns', count}],
+              "adds a number drawn evenly from Low..High and held for Ns nanoseconds", "offset"),
         entry(sensor, probe, drift, [{'Rate', real}, {'Limit', limit}],
               "adds Rate more at each affected call, up to Limit", "drift"),
         entry(sensor, probe, drift_timed, [{'Rate', real}, {'Limit', limit}],

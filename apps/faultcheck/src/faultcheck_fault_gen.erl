@@ -94,6 +94,8 @@ list_to_tuple_or_atom(Parts) -> list_to_tuple(Parts).
 
 ordered({Name, A, B}) when (Name =:= saturate orelse Name =:= random_offset) ->
     {Name, lesser(A, B), greater(A, B)};
+ordered({held_offset, A, B, Ns}) ->
+    {held_offset, lesser(A, B), greater(A, B), Ns};
 ordered(Model) ->
     Model.
 
@@ -118,6 +120,7 @@ value(probability, _, _) -> one_of([0.0, 0.25, 0.5, 0.75, 1.0]);
 value(natural, {truncate, _, _}, Size) -> below(Size + 4);
 value(natural, {corruption, _, _}, _) -> below(4);
 value(natural, _, Size) -> below(Size div 4 + 4);
+value(count, {held_offset, _, _}, _) -> 1000 * (1 + below(4));
 value(count, _, Size) -> 1 + below(Size + 4);
 value(byte, _, _) -> below(256);
 value(dropout_mode, {_, Type, _}, _) ->

@@ -14,6 +14,8 @@ model({set_to, V}) -> ["set to ", real(V)];
 model({noise_uniform, A}) -> ["add even noise of at most ", real(A)];
 model({noise_gauss, S}) -> ["add normal noise with deviation ", real(S)];
 model({random_offset, Low, High}) -> ["add a number drawn from ", range(Low, High)];
+model({held_offset, Low, High, Ns}) ->
+    ["add a number drawn from ", range(Low, High), " every ", time(Ns)];
 model({drift, Rate, Limit}) -> ["drift by ", real(Rate), " each call", limit(Limit)];
 model({drift_timed, Rate, Limit}) -> ["drift by ", real(Rate), " each second", limit(Limit)];
 model({ramp, V, N}) -> ["ramp to ", real(V), " in ", count(N, "call")];

@@ -178,6 +178,7 @@ value_function(set_to) -> fc_add_set_to;
 value_function(noise_uniform) -> fc_add_noise_uniform;
 value_function(noise_gauss) -> fc_add_noise_gauss;
 value_function(random_offset) -> fc_add_random_offset;
+value_function(held_offset) -> fc_add_held_offset;
 value_function(ramp) -> fc_add_ramp;
 value_function(quantise) -> fc_add_quantise;
 value_function(dead_zone) -> fc_add_dead_zone;
@@ -259,4 +260,5 @@ fc_model({dead_zone, A, B}, M) -> M#{kind => 15, a := A, b := B};
 fc_model({saturate, A, B}, M) -> M#{kind => 16, a := A, b := B};
 fc_model({oscillate, A, N}, M) -> M#{kind => 17, a := A, n := N};
 fc_model({dropout, A, Mode}, M) -> M#{kind => 18, a := A, n := mode(Mode)};
-fc_model({spike, A, B}, M) -> M#{kind => 19, a := A, b := B}.
+fc_model({spike, A, B}, M) -> M#{kind => 19, a := A, b := B};
+fc_model({held_offset, A, B, Ns}, M) -> M#{kind => 20, a := A, b := B, n := Ns}.

@@ -62,9 +62,10 @@ apply({Name, Real}, {Type, V}, _, W, S) when
 apply(Model, {Type, V}, Now, #{k := K} = W, S) ->
     X = faultcheck_ref_value:real(Type, V),
     Window = remember(Model, Type, X, Now, W),
-    {Result, Next} = sensor(Model, X, maps:get(Type, Window, X), {K, Now}, Window, S),
+    {Held, Drawn} = held(Model, Now, Window, S),
+    {Result, Next} = sensor(Model, X, maps:get(Type, Held, X), {K, Now}, Held, Drawn),
     {Code, Converted} = converted(Model, Type, Result, V),
-    {Code, Converted, Window#{k := K + 1}, Next}.
+    {Code, Converted, Held#{k := K + 1}, Next}.
 
 with_bit(Bit, {Type, V}, W, S, Change) ->
     case Bit < faultcheck_ref_value:width(Type, V) of
@@ -132,7 +133,21 @@ code({unsure, V}) -> {unsure, V}.
 
 remember({ramp, _, _}, Type, X, _, W) -> maps:merge(#{Type => X}, W);
 remember({drift_timed, _, _}, _, _, Now, W) -> maps:merge(#{time => Now}, W);
+remember({held_offset, _, _, _}, _, _, Now, W) -> maps:merge(#{time => Now}, W);
 remember(_, _, _, _, W) -> W.
+
+%% One draw for all calls of a period; periods begin with the window.
+held({held_offset, _, _, Ns}, Now, #{time := Start} = W, S) ->
+    Period = (Now - Start) div Ns,
+    case W of
+        #{period := Period} ->
+            {W, S};
+        _ ->
+            {Unit, Next} = faultcheck_ref_stream:unit(S),
+            {W#{period => Period, unit => Unit}, Next}
+    end;
+held(_, _, W, S) ->
+    {W, S}.
 
 sensor({noise_uniform, A}, X, _, _, _, S) ->
     {Unit, Next} = faultcheck_ref_stream:unit(S),
@@ -144,6 +159,9 @@ sensor({random_offset, Low, High}, X, _, _, _, S) ->
     {Unit, Next} = faultcheck_ref_stream:unit(S),
     Range = subtract(param(High), param(Low)),
     {add(add(X, param(Low)), multiply(Range, Unit)), Next};
+sensor({held_offset, Low, High, _}, X, _, _, #{unit := Unit}, S) ->
+    Range = subtract(param(High), param(Low)),
+    {add(add(X, param(Low)), multiply(Range, Unit)), S};
 sensor({spike, P, Height}, X, _, _, _, S) ->
     case faultcheck_ref_stream:unit(S) of
         {Unit, Next} when Unit < P ->

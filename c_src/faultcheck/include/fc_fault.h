@@ -33,7 +33,8 @@ typedef enum {
     FC_SATURATE,       /* a <= x <= b */
     FC_OSCILLATE,      /* x + a * sin(2 * pi * k / n) */
     FC_DROPOUT,        /* with probability a, by mode n: FC_HOLD, FC_ZERO or FC_NAN */
-    FC_SPIKE           /* with probability a: x + b or x - b */
+    FC_SPIKE,          /* with probability a: x + b or x - b */
+    FC_HELD_OFFSET     /* x + a + (b - a) * unit, drawn by the first call of each n nanoseconds */
 } fc_model_kind;
 
 enum {
@@ -52,8 +53,9 @@ typedef struct {
 
 /* Arm a model on a probe. A fault id; FC_E_NOMEM; FC_E_BIT for a bit below 0; FC_E_ARG for a
  * parameter outside its range: n >= 0 for DELAY, n >= 1 for RAMP and OSCILLATE, a > 0 for QUANTISE,
- * 0 <= a <= 1 for DROPOUT and SPIKE, a <= b for SATURATE and RANDOM_OFFSET, b >= 0 for DRIFT, a NaN
- * except in AMPLIFICATION, OFFSET and SET_TO. The functions below give the same results. */
+ * 0 <= a <= 1 for DROPOUT and SPIKE, a <= b for SATURATE, RANDOM_OFFSET and
+ * HELD_OFFSET, n >= 1 for that, b >= 0 for DRIFT, a NaN except in AMPLIFICATION, OFFSET and SET_TO.
+ * The functions below give the same results. */
 FC_API fc_fault_id fc_add_model(fc_context *ctx, const char *id, const fc_model *model);
 
 /* Invert a bit, 0 the least significant. */
@@ -117,6 +119,11 @@ FC_API fc_fault_id fc_add_dropout(fc_context *ctx, const char *id, double probab
 
 /* With that probability add or subtract height. */
 FC_API fc_fault_id fc_add_spike(fc_context *ctx, const char *id, double probability, double height);
+
+/* Add a number drawn evenly between low and high, and held: drawn at the window's first call, and
+ * again by the first call of each period of that many nanoseconds since then. */
+FC_API fc_fault_id fc_add_held_offset(fc_context *ctx, const char *id, double low, double high,
+                                      int64_t ns);
 
 /* The fault added last to id, or FC_E_NO_FAULT if there is none or the latest was refused. */
 FC_API fc_fault_id fc_latest(fc_context *ctx, const char *id);

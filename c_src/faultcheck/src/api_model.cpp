@@ -99,4 +99,9 @@ fc_fault_id fc_add_spike(fc_context *ctx, const char *id, double probability, do
     return add(ctx, id, FC_SPIKE, probability, height);
 }
 
+fc_fault_id fc_add_held_offset(fc_context *ctx, const char *id, double low, double high,
+                               int64_t ns) {
+    return add(ctx, id, FC_HELD_OFFSET, low, high, ns);
+}
+
 } // extern "C"

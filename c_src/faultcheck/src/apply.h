@@ -87,13 +87,18 @@ template <class T> double first_of(ModelState &state, T *value) {
     return static_cast<double>(first);
 }
 
+// HELD_OFFSET: draws in the first call of the window and of each period.
+double held_unit(const FaultCall &call, bool first);
+
 template <class T> int apply_sensor(const FaultCall &call, T *value) {
-    SensorCall sensor{call.state.next_call(), 0, 0};
+    SensorCall sensor{call.state.next_call(), 0, 0, 0};
     if (call.model.kind == FC_RAMP)
         sensor.first = first_of(call.state, value);
     if (sensor.k == 0)
         call.state.first_time = call.inputs.now;
     sensor.seconds = static_cast<double>(call.inputs.now - call.state.first_time) * 1e-9;
+    if (call.model.kind == FC_HELD_OFFSET)
+        sensor.unit = held_unit(call, sensor.k == 0);
     const double result =
         compute_sensor(call.model, sensor, call.random, static_cast<double>(*value));
     return store_result(result, value) ? FC_OK : FC_E_VALUE;

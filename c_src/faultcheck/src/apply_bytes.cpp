@@ -86,6 +86,14 @@ bool apply_dropout(const FaultCall &call, fc_type type, unsigned char *bytes, st
     return dropped;
 }
 
+double held_unit(const FaultCall &call, bool first) {
+    const std::int64_t period = (call.inputs.now - call.state.first_time) / call.model.n;
+    if (first || period != call.state.period)
+        call.state.unit = call.random.unit();
+    call.state.period = period;
+    return call.state.unit;
+}
+
 int apply(const FaultCall &call, ByteSpan *bytes) {
     const Model &model = call.model;
     switch (model.kind) {

@@ -9,7 +9,8 @@ namespace fc {
 
 // True when the fault cannot do without inputs.
 inline bool wants_time(const Trigger &trigger, const Model &model) {
-    return (trigger.conditions & Trigger::kTime) != 0 || model.kind == FC_DRIFT_TIMED;
+    return (trigger.conditions & Trigger::kTime) != 0 || model.kind == FC_DRIFT_TIMED ||
+           model.kind == FC_HELD_OFFSET;
 }
 inline bool wants_predicate(const Trigger &trigger) {
     return (trigger.conditions & Trigger::kWhen) != 0;

@@ -42,6 +42,9 @@ Verdict check(const Model &model) {
     case FC_RANDOM_OFFSET:
     case FC_SATURATE:
         return expect(a <= b, "the lower limit must not be above the upper one");
+    case FC_HELD_OFFSET:
+        return expect(a <= b && model.n >= 1, "the lower limit must not be above the upper one, "
+                                              "and the time be at least 1 ns");
     case FC_DRIFT:
     case FC_DRIFT_TIMED:
         return expect(is_number(a) && b >= 0, "the rate must be a number and the limit >= 0");

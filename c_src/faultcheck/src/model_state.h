@@ -48,7 +48,9 @@ class ModelState {
         return of_types_.back();
     }
 
-    std::int64_t first_time = 0; // DRIFT_TIMED: of the window's first call
+    std::int64_t first_time = 0; // DRIFT_TIMED, HELD_OFFSET: of the window's first call
+    std::int64_t period = 0;     // HELD_OFFSET: the number of the one it was drawn in
+    double unit = 0;             // HELD_OFFSET: drawn last
 
   private:
     bool open_ = false;

@@ -35,6 +35,8 @@ double compute_sensor(const Model &model, const SensorCall &call, RandomStream &
         return x + model.a * random.gauss();
     case FC_RANDOM_OFFSET:
         return x + model.a + (model.b - model.a) * random.unit();
+    case FC_HELD_OFFSET:
+        return x + model.a + (model.b - model.a) * call.unit;
     case FC_DRIFT:
         return x + limit(model.a * (static_cast<double>(call.k) + 1), model.b);
     case FC_DRIFT_TIMED:

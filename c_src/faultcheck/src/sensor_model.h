@@ -13,6 +13,7 @@ struct SensorCall {
     std::uint64_t k; // affected calls before this one in the window
     double first;    // the window's first x of this type (RAMP)
     double seconds;  // since the window's first call (DRIFT_TIMED)
+    double unit;     // drawn last (HELD_OFFSET)
 };
 
 // The output for x; the models that keep bits instead of numbers (STUCK, DELAY, DROPOUT, bits) are

@@ -61,6 +61,8 @@ constexpr ValueModel kModels[] = {
     {{"dropout", nullptr, {kProbability, kMode}, false}, {Slot::a, Slot::mode}},
     {{"spike", nullptr, {kProbability, number("height", "a", "up or down")}, false},
      {Slot::a, Slot::b}},
+    {{"held_offset", nullptr, {kLow, kHigh, whole("ns", "hold_ns", "that one is held")}, false},
+     {Slot::a, Slot::b, Slot::n}},
 };
 
 constexpr int kModelCount = sizeof kModels / sizeof *kModels;

@@ -35,7 +35,7 @@ static void look(void) {
 /* Model, then its arguments; as fc_model. */
 static const struct {
     const char *model;
-    fc_argument arguments[2];
+    fc_argument arguments[3];
     fc_model is;
 } values[] = {
     {"bitflip", {{"bit", NULL, 7}}, {FC_BITFLIP, 0, 0, 7}},
@@ -60,12 +60,15 @@ static const struct {
     {"saturate", {{"low", NULL, -1}, {"high", NULL, 1}}, {FC_SATURATE, -1, 1, 0}},
     {"oscillate", {{"amplitude", NULL, 3}, {"calls", NULL, 8}}, {FC_OSCILLATE, 3, 0, 8}},
     {"dropout", {{"probability", NULL, 0.5}, {"mode", "zero", 0}}, {FC_DROPOUT, 0.5, 0, FC_ZERO}},
+    {"held_offset",
+     {{"low", NULL, -4}, {"high", NULL, 4}, {"ns", NULL, 2e8}},
+     {FC_HELD_OFFSET, -4, 4, 200000000}},
     {"spike", {{"probability", NULL, 0.1}, {"height", NULL, 7}}, {FC_SPIKE, 0.1, 7, 0}},
 };
 
 static size_t given(const fc_argument *arguments) {
     size_t count = 0;
-    while (count < 2 && arguments[count].name != NULL)
+    while (count < 3 && arguments[count].name != NULL)
         count++;
     return count;
 }
@@ -137,7 +140,7 @@ static void what_does_not_fit_is_refused_by_name(void) {
 /* Model, then its arguments; listed with that name and n. */
 static const struct {
     const char *model;
-    fc_argument arguments[2];
+    fc_argument arguments[3];
     const char *listed;
     int64_t n;
 } packets[] = {

@@ -40,6 +40,30 @@ static void noise_and_random_offsets(void) {
         CHECK_BITS(probe(10), offset[at]);
 }
 
+/* The same draws as RANDOM_OFFSET's, each for the calls of two seconds. */
+static void held_offsets_stay_for_their_time(void) {
+    const double offset[4] = {0x1.b92e532d8a577p+3, 0x1.d75bd71392fc7p+3, 0x1.ab04d3d8b746ep+3,
+                              0x1.b9f6b277ed07cp+3};
+    arm(FC_HELD_OFFSET, 3, 5, 2000000000);
+    fc_advance(ctx, 700000000); /* the periods begin with the first call */
+    CHECK_BITS(probe(10), offset[0]);
+    CHECK_BITS(probe(10), offset[0]);
+    fc_advance(ctx, 1999999999);
+    CHECK_BITS(probe(10), offset[0]);
+    CHECK_INT(probe_int(10), 13); /* all types share it */
+    fc_advance(ctx, 1);
+    CHECK_BITS(probe(10), offset[1]);
+    fc_advance(ctx, 2000000000);
+    CHECK_BITS(probe(10), offset[2]);
+    fc_advance(ctx, 19500000000); /* one draw, however many periods were missed */
+    CHECK_BITS(probe(10), offset[3]);
+    fc_fault_id fault = arm(FC_HELD_OFFSET, 3, 5, 1000000000);
+    fc_trigger_periodic(ctx, fault, 2, 1);
+    CHECK_BITS(probe(10), offset[0]);
+    CHECK_BITS(probe(10), 10);
+    CHECK_BITS(probe(10), offset[1]); /* a new window */
+}
+
 static void drift_grows_within_a_window(void) {
     fc_fault_id fault = arm(FC_DRIFT, 0.5, 1.25, 0);
     CHECK_BITS(probe(10), 10.5);
@@ -197,14 +221,13 @@ static void integers_convert_and_saturate(void) {
 }
 
 static void parameters_are_checked(void) {
-    const fc_model bad[] = {{FC_STUCK_BIT, 2, 0, 0},     {FC_NOISE_UNIFORM, NAN, 0, 0},
-                            {FC_NOISE_GAUSS, NAN, 0, 0}, {FC_RANDOM_OFFSET, 2, 1, 0},
-                            {FC_DRIFT, 1, -1, 0},        {FC_DRIFT_TIMED, NAN, 1, 0},
-                            {FC_RAMP, 1, 0, 0},          {FC_DELAY, 0, 0, -1},
-                            {FC_QUANTISE, 0, 0, 0},      {FC_DEAD_ZONE, NAN, 1, 0},
-                            {FC_SATURATE, 2, 1, 0},      {FC_OSCILLATE, 1, 0, 0},
-                            {FC_DROPOUT, 1.1, 0, 0},     {FC_DROPOUT, 1, 0, 3},
-                            {FC_SPIKE, -0.1, 0, 0},      {77, 0, 0, 0}};
+    const fc_model bad[] = {
+        {FC_STUCK_BIT, 2, 0, 0},     {FC_NOISE_UNIFORM, NAN, 0, 0}, {FC_NOISE_GAUSS, NAN, 0, 0},
+        {FC_RANDOM_OFFSET, 2, 1, 0}, {FC_DRIFT, 1, -1, 0},          {FC_DRIFT_TIMED, NAN, 1, 0},
+        {FC_RAMP, 1, 0, 0},          {FC_DELAY, 0, 0, -1},          {FC_QUANTISE, 0, 0, 0},
+        {FC_DEAD_ZONE, NAN, 1, 0},   {FC_SATURATE, 2, 1, 0},        {FC_OSCILLATE, 1, 0, 0},
+        {FC_DROPOUT, 1.1, 0, 0},     {FC_DROPOUT, 1, 0, 3},         {FC_HELD_OFFSET, 2, 1, 1},
+        {FC_HELD_OFFSET, 1, 2, 0},   {FC_SPIKE, -0.1, 0, 0},        {77, 0, 0, 0}};
     for (size_t at = 0; at < sizeof bad / sizeof bad[0]; at++) {
         CHECK_INT(arm(bad[at].kind, bad[at].a, bad[at].b, bad[at].n), FC_E_ARG);
         CHECK_ERROR(FC_E_ARG, "not added");
@@ -234,8 +257,9 @@ static void the_functions_pass_their_parameters(void) {
     CHECK(fc_add_oscillate(ctx, "12", 5, 4) > 0);
     CHECK(fc_add_dropout(ctx, "13", 1, FC_ZERO) > 0);
     CHECK(fc_add_spike(ctx, "14", 1, 0) > 0);
-    const int expected[14] = {14, 10, 10, 17, 13, 10, 20, 10, 8, 12, 2, 10, 0, 10};
-    for (int at = 0; at < 14; at++) {
+    CHECK(fc_add_held_offset(ctx, "15", 6, 6, 1) > 0);
+    const int expected[15] = {14, 10, 10, 17, 13, 10, 20, 10, 8, 12, 2, 10, 0, 10, 16};
+    for (int at = 0; at < 15; at++) {
         char id[3];
         int32_t value = 10;
         snprintf(id, sizeof id, "%d", at + 1);
@@ -247,6 +271,7 @@ static void the_functions_pass_their_parameters(void) {
 int main(void) {
     ctx = fc_new(NULL);
     noise_and_random_offsets();
+    held_offsets_stay_for_their_time();
     drift_grows_within_a_window();
     timed_drift_counts_seconds_of_the_window();
     ramp_goes_from_the_first_value_to_the_target();

@@ -54,14 +54,27 @@ static bool only_sometimes(void *user) {
 
 /* Every model of a probe, each with another trigger. */
 static void arm_probes(void) {
-    static const fc_model models[] = {
-        {FC_BITFLIP, 0, 0, 51},        {FC_BITFLIP_RANDOM, 0, 0, 0},  {FC_STUCK, 0, 0, 0},
-        {FC_STUCK_BIT, 1, 0, 50},      {FC_AMPLIFICATION, 1.5, 0, 0}, {FC_OFFSET, 2, 0, 0},
-        {FC_SET_TO, 7, 0, 0},          {FC_NOISE_UNIFORM, 3, 0, 0},   {FC_NOISE_GAUSS, 1, 0, 0},
-        {FC_RANDOM_OFFSET, 1, 2, 0},   {FC_DRIFT, 0.5, 9, 0},         {FC_DRIFT_TIMED, 4, 99, 0},
-        {FC_RAMP, 20, 0, 30},          {FC_DELAY, 0, 0, 5},           {FC_QUANTISE, 0.25, 0, 0},
-        {FC_DEAD_ZONE, 0, 1, 0},       {FC_SATURATE, -5, 5, 0},       {FC_OSCILLATE, 3, 0, 17},
-        {FC_DROPOUT, 0.5, 0, FC_HOLD}, {FC_SPIKE, 0.3, 8, 0}};
+    static const fc_model models[] = {{FC_BITFLIP, 0, 0, 51},
+                                      {FC_BITFLIP_RANDOM, 0, 0, 0},
+                                      {FC_STUCK, 0, 0, 0},
+                                      {FC_STUCK_BIT, 1, 0, 50},
+                                      {FC_AMPLIFICATION, 1.5, 0, 0},
+                                      {FC_OFFSET, 2, 0, 0},
+                                      {FC_SET_TO, 7, 0, 0},
+                                      {FC_NOISE_UNIFORM, 3, 0, 0},
+                                      {FC_NOISE_GAUSS, 1, 0, 0},
+                                      {FC_RANDOM_OFFSET, 1, 2, 0},
+                                      {FC_DRIFT, 0.5, 9, 0},
+                                      {FC_DRIFT_TIMED, 4, 99, 0},
+                                      {FC_RAMP, 20, 0, 30},
+                                      {FC_DELAY, 0, 0, 5},
+                                      {FC_QUANTISE, 0.25, 0, 0},
+                                      {FC_DEAD_ZONE, 0, 1, 0},
+                                      {FC_SATURATE, -5, 5, 0},
+                                      {FC_OSCILLATE, 3, 0, 17},
+                                      {FC_DROPOUT, 0.5, 0, FC_HOLD},
+                                      {FC_SPIKE, 0.3, 8, 0},
+                                      {FC_HELD_OFFSET, -2, 2, 4000000}};
     const int count = sizeof models / sizeof *models;
     for (int i = 0; i < count; i++) {
         char name[20];
