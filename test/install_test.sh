@@ -54,6 +54,25 @@ check "rebar3 proper finds it too" exits 1 'prop_' \
   'cd mine && ERL_LIBS='"$here"'/moved/lib/faultcheck rebar3 proper'
 check "an unknown command is one line" exits 2 'nonsense' 'faultcheck nonsense'
 
+# Each C library: versioned, and it exports just what its headers declare.
+versioned() { # versioned LIB: libX.so -> libX.so.MAJOR -> libX.so.VERSION, and programs ask for libX.so.MAJOR
+  local lib="$here/moved/lib/$1" version major
+  version=$(cat "$root/VERSION") major=${version%%.*}
+  [ "$(readlink "$lib.so")" = "$1.so.$major" ] && [ "$(readlink "$lib.so.$major")" = "$1.so.$version" ] &&
+    readelf -d "$lib.so" | grep -F "Library soname: [$1.so.$major]"
+}
+exports_what_is_declared() { # exports_what_is_declared LIB PREFIX: names that begin with PREFIX
+  local exported declared
+  exported=$(nm -D --defined-only "$here/moved/lib/$1.so" | awk '{ print $3 }' | sort -u)
+  declared=$(cat "$here"/moved/include/*.h | gcc -fpreprocessed -dD -E -P -x c - 2>/dev/null | tr '\n' ' ' |
+    grep -oE "[A-Z0-9]+_API [^;(]*[ *]($2)[A-Za-z0-9_]+\(" | grep -oE "[A-Za-z0-9_]+\($" | tr -d '(' | sort -u)
+  [ "$(wc -l <<<"$declared")" -ge 10 ] && diff <(echo "$declared") <(echo "$exported")
+}
+for library in "libfaultcheck fc_|faultcheck_" "libe2e E2E_|Crc_"; do
+  check "${library% *} is versioned" versioned "${library% *}"
+  check "${library% *} exports what its headers declare" exports_what_is_declared "${library% *}" "${library#* }"
+done
+
 mkdir "$here/home/c" && chmod a+rwx "$here/home/c"
 cat >"$here/home/c/probe.c" <<'C'
 #include <E2E_P01.h>
