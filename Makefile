@@ -15,7 +15,7 @@ endif
         format lint clean chroot-check
 
 help:  ## this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 setup:  ## install what is missing for everything below (shows the list and asks; SETUP=no only tells)
 	@scripts/setup.sh all
@@ -85,6 +85,9 @@ lint:  ## formatting, shellcheck, public headers as C99 and C++17, xref
 chroot-check:  ## make demo and make test in fresh Debian 12 and 13 (needs root and debootstrap)
 	@scripts/chroot_check.sh bookworm
 	@scripts/chroot_check.sh trixie
+
+.DEFAULT:
+	@echo "make: there is no target '$@'; make help lists what there is" >&2; exit 2
 
 clean:  ## remove everything built; stored cases stay
 	@rm -rf _build apps/c_bridge/priv

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-echo "Building ..."
+echo "Building (the first time takes a few minutes; log: _build/native.log) ..."
 mkdir -p _build
 scripts/build_native.sh release >_build/native.log 2>&1 || { tail -n 30 _build/native.log >&2; exit 3; }
 echo "Testing C code: an airbag must not fire unless it is told to, whatever happens to its packets."

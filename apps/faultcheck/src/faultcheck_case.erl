@@ -62,6 +62,8 @@ create(Dir, Text) ->
     New = lists:concat([filename:dirname(Dir), "/.new-", filename:basename(Dir), "-", os:getpid()]),
     File = filename:join(New, "case.json"),
     done(Dir, [
+        %% First the place of the cases: its error is the one that tells.
+        fun() -> filelib:ensure_dir(New) end,
         fun() -> filelib:ensure_dir(File) end,
         fun() -> file:write_file(File, Text) end,
         fun() -> file:rename(New, Dir) end

@@ -79,8 +79,8 @@ usage("new") ->
 usage("proper") ->
     synopsis("proper") ++ "\n\n"
     "Compiles the project in the current folder and tests the properties prop_*/0 of the modules\n"
-    "prop_* in test/. A failure is shrunk and stored as a folder in cases/ (FAULTCHECK_CASES names\n"
-    "another place).\n\n" ++ faultcheck_options:help() ++ "\n" ++ exit_statuses();
+    "prop_* in test/. A failure is shrunk and stored as a folder in cases/ (FAULTCHECK_CASES\n"
+    "names another place).\n\n" ++ faultcheck_options:help() ++ "\n" ++ exit_statuses();
 usage("replay") ->
     synopsis("replay") ++ "\n\n"
     "Runs a stored case again and prints each command with its result. CASE is a folder below\n"

@@ -69,6 +69,7 @@ unknown(What, Name, Known) ->
     There =
         case faultcheck_suggest:phrase(Text, Names) of
             "" when Names =:= [] -> "; there is none at all";
+            "" when length(Names) =:= 1 -> "; there is " ++ hd(Names);
             "" -> "; there are " ++ lists:flatten(lists:join(", ", lists:sort(Names)));
             Near -> Near
         end,

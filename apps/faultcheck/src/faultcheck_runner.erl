@@ -27,10 +27,18 @@
 -spec run(request()) -> status().
 run(#{options := Options, places := Places} = Request) ->
     Named = maps:get(module, Options, []),
-    case faultcheck_discovery:find(Places, Named) of
-        {ok, Found} -> run(faultcheck_discovery:select(Options, Found), Found, Request);
-        {error, Line} -> usage(Line, Request)
+    case {empty(maps:get(dir, Options), Places), faultcheck_discovery:find(Places, Named)} of
+        {[], {ok, Found}} -> run(faultcheck_discovery:select(Options, Found), Found, Request);
+        {[], {error, Line}} -> usage(Line, Request);
+        {[Dir | _], _} -> usage("no Erlang file in " ++ Dir ++ "/, here or in an application",
+                                  Request)
     end.
+
+%% Directories that were asked for and hold nothing; `test' is always asked for.
+empty(Dirs, Places) ->
+    [Dir || Dir <- Dirs, Dir =/= "test", not lists:any(fun({P, _}) -> ends(P, Dir) end, Places)].
+
+ends(Path, Dir) -> lists:suffix(filename:split(Dir), filename:split(Path)).
 
 run({error, Line}, _Found, Request) ->
     usage(Line, Request);

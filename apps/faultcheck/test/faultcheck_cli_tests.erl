@@ -135,7 +135,9 @@ alone(Dir) ->
            "prop_sum() -> ?FORALL(X, integer(), X + 1 > X).\n",
     ok = file:write_file(File, Text),
     {{exit, 0}, Passed} = program(Alone, ["proper"]),
-    has("===> 1/1 properties passed", Passed).
+    has("===> 1/1 properties passed", Passed),
+    {{exit, 2}, Nowhere} = program(Dir, ["proper", "-d", "tset"]),
+    has("no Erlang file in tset/, here or in an application", Nowhere).
 
 damaged(Dir) ->
     [Case | _] = filelib:wildcard(filename:join([Dir, "cases", "prop_ring-*"])),
