@@ -26,6 +26,7 @@ report() ->
         Has = fun(Part) -> ?assertNotEqual(nomatch, binary:match(Text, Part)) end,
         Has(<<"| byte, 2 needed | about 1000 tests |">>),
         Has(<<"| thesis | byte | at most 2 | 84 | none |">>),
+        Has(<<"| 1 of 1 | 22 750 |">>),
         Has(<<"| recommended, all 4 bytes | 2 | 496 | 0 | 0 | 0 |">>),
         Has(<<"| none (figure 3) | thesis |">>),
         %% nothing is left to resume from

@@ -53,12 +53,19 @@ fresh(Mod, #{time := Time, max_commands := Most}) ->
 
 %% @doc A neighbour.
 -spec child(module(), parent(), faultcheck_search_options:options()) -> sequence().
-child(Mod, #{commands := Commands, side := Side} = Parent, Options) ->
+child(Mod, Parent, Options) ->
     Model = {Mod, faultcheck_model:info(Mod)},
     Edit = #edit{
         model = Model, options = Options, parent = Parent, setting = [], body = [], side = #{}
     },
-    edited([1, 0.5, 0.25], Commands, Side, Edit).
+    other(?ATTEMPTS, Edit).
+
+%% A run of the parent once more would tell nothing.
+other(Left, #edit{parent = #{commands := Commands, side := Side}} = Edit) ->
+    case edited([1, 0.5, 0.25], Commands, Side, Edit) of
+        {Commands, _} when Left > 1 -> other(Left - 1, Edit);
+        Child -> Child
+    end.
 
 edited([Chance | Chances], Commands, Side, #edit{model = {Mod, _}} = Edit) ->
     case chance(Chance) of
