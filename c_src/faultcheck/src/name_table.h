@@ -37,7 +37,8 @@ template <class Record> class NameTable {
     // changed.
     Record &add(const Name &name) {
         auto record = std::make_unique<Record>(name);
-        records_.reserve(records_.size() + 1);
+        if (records_.size() == records_.capacity())
+            records_.reserve(2 * records_.size() + 1);
         if (2 * (records_.size() + 1) > current_.load(std::memory_order_relaxed)->mask)
             grow();
         insert(*tables_.back(), record.get());

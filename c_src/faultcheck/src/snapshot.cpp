@@ -5,6 +5,7 @@
 #include "context.h"
 
 #include <array>
+#include <cstring>
 #include <memory>
 #include <utility>
 
@@ -48,10 +49,12 @@ namespace {
 
 using Hold = std::lock_guard<SpinLock>;
 
+// As plain bytes: nobody writes them meanwhile.
+static_assert(sizeof Probe::state == sizeof Seen::states);
+
 Seen seen_of(const Probe &probe) {
     Seen seen{{}, probe.listed};
-    for (std::size_t type = 0; type < seen.states.size(); ++type)
-        seen.states[type] = probe.state[type].load(std::memory_order_relaxed);
+    std::memcpy(seen.states.data(), &probe.state, sizeof probe.state);
     return seen;
 }
 
@@ -98,11 +101,14 @@ void put_back(Probe &probe, const Seen &seen, ProbeContent *kept, bool watched) 
         static_cast<ProbeContent &>(probe) = ProbeContent();
     probe.listed = seen.listed;
     probe.watched = watched;
-    for (std::size_t type = 0; type < seen.states.size(); ++type) {
-        const int state = (seen.states[type] & ~Probe::kWatched) | (watched ? Probe::kWatched : 0);
-        if (probe.state[type].load(std::memory_order_relaxed) != state)
-            probe.state[type].store(static_cast<std::uint8_t>(state), std::memory_order_relaxed);
-    }
+    auto states = seen.states;
+    for (std::uint8_t &state : states)
+        state =
+            static_cast<std::uint8_t>((state & ~Probe::kWatched) | (watched ? Probe::kWatched : 0));
+    if (std::memcmp(states.data(), &probe.state, sizeof probe.state) == 0)
+        return;
+    for (std::size_t type = 0; type < states.size(); ++type)
+        probe.state[type].store(states[type], std::memory_order_relaxed);
 }
 
 void put_back(Channel &channel, ChannelContent *kept, bool watched) {
