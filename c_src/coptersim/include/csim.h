@@ -60,12 +60,17 @@ typedef struct {
     uint64_t seed;      /* of the simulation's own fault context; ignored when faults is given */
     int threads;        /* that a run may use, 1..64 */
     bool brute_force;   /* test all pairs instead of a grid: for tests, same bits */
+    const char *build;  /* of csim_build_at: for tests, same bits; NULL: the fastest */
 } csim_options;
 
 /* A fault context of its own, seed 1, one thread. */
 /* clang-format off */
-#define CSIM_OPTIONS_INIT {sizeof(csim_options), NULL, 1, 1, false}
+#define CSIM_OPTIONS_INIT {sizeof(csim_options), NULL, 1, 1, false, NULL}
 /* clang-format on */
+
+/* Names of the builds of the inner loops that this machine can run, "sse2" and so on, the fastest
+ * last; NULL beyond them. */
+CSIM_API const char *csim_build_at(int index);
 
 /* An empty world at time 0; options may be NULL. NULL with CSIM_E_ARG or CSIM_E_NOMEM in
  * csim_last_error_text. */
@@ -77,8 +82,8 @@ CSIM_API void csim_free(csim *sim);
 /* The simulation behind coptersim_wrapper.h, made at the first use, on fc_default(). */
 CSIM_API csim *csim_default(void);
 
-/* Back to the state after csim_new: no copters, lines, anchors or faults, time 0, default
- * parameters. */
+/* Back to the state after csim_new: no copters, lines or anchors, time 0, default parameters, no
+ * faults (a borrowed fault context is left as it is). */
 CSIM_API int csim_reset(csim *sim);
 
 /* The fault context: arm faults on the names that section 11 of docs/coptersim.md lists. */
@@ -86,7 +91,8 @@ CSIM_API fc_context *csim_faults(csim *sim);
 
 /* ---- Parameters ----
  * All by name, so that scenarios, command lines and models share one table. Switches take 0 and 1,
- * choices the number of the choice. docs/coptersim.md explains each one. */
+ * choices the number of the choice. The gains are among them: csim_set gives one to all copters.
+ * docs/coptersim.md explains each one. */
 
 /* What values a parameter takes. */
 typedef enum { CSIM_REAL, CSIM_SWITCH, CSIM_CHOICE } csim_param_kind;
@@ -111,6 +117,12 @@ CSIM_API int csim_set(csim *sim, const char *name, double value);
 CSIM_API int csim_get(const csim *sim, const char *name, double *value);
 /* The value as text: a number, true/false, or the name of a choice. */
 CSIM_API int csim_set_text(csim *sim, const char *name, const char *text);
+
+/* Named sets of parameters: "default", and "hardened" with the counter-measures against faults.
+ * The index-th name from 0, or NULL. */
+CSIM_API const char *csim_configuration_at(int index);
+/* All parameters, gains included, to their initial values or those of the set. */
+CSIM_API int csim_configure(csim *sim, const char *configuration);
 
 /* Gains of the estimator (equations 11 to 14; docs/coptersim.md section 5). */
 typedef struct {
