@@ -1,5 +1,5 @@
 # Reads bench/bounds, then the JSON lines of the benchmarks; prints the table. Exit status 1 when a bound is missed
-# or a figure that has a bound was not measured.
+# or a figure that has a bound was not measured. With -v markdown=1 the table is one of docs/performance.md.
 function text(name,    found) {
     if (match($0, "\"" name "\" *: *\"[^\"]*\"") == 0) return ""
     found = substr($0, RSTART, RLENGTH)
@@ -14,7 +14,12 @@ function number(name,    found) {
     return found
 }
 function row(key, value, unit, bound, verdict, baseline) {
-    printf "%-24s %12s %-8s %-10s %-7s %s\n", key, value, unit, bound, verdict, baseline
+    if (markdown && key == "figure")
+        printf "| key | measured | unit | must reach | compared with |\n|---|---|---|---|---|\n"
+    else if (markdown)
+        printf "| `%s` | %s | %s | %s | %s |\n", key, value, unit, bound, baseline
+    else
+        printf "%-24s %12s %-8s %-10s %-7s %s\n", key, value, unit, bound, verdict, baseline
 }
 BEGIN { row("figure", "value", "unit", "required", "", "compared with") }
 FILENAME == ARGV[1] {

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Runs every benchmark, writes _build/reports/bench.json and prints the table with the bounds of bench/bounds.
+# Runs every benchmark, writes _build/reports/bench.json, and prints the table with the bounds of bench/bounds, which
+# _build/reports/bench.md has too.
 # Exit status 0, also when bounds are missed; with CHECK=1 a miss is exit status 1. See bench/README.md.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -38,5 +39,6 @@ load=$(cut -d ' ' -f 1-3 /proc/loadavg)
 echo "machine: $processor, $(nproc) cores, $memory, $(uname -sr); load now: $load"
 status=0
 awk -f bench/table.awk bench/bounds "$lines" || status=$?
-echo "written: _build/reports/bench.json"
+awk -v markdown=1 -f bench/table.awk bench/bounds "$lines" >_build/reports/bench.md || true
+echo "written: _build/reports/bench.json and bench.md"
 [ "${CHECK:-}" != 1 ] || exit $status
