@@ -51,7 +51,7 @@ typedef void (*fc_list_fn)(void *user, const fc_listed *listed);
  * before channels of the same name. FC_OK, FC_E_NOMEM. */
 FC_API int fc_list(fc_context *ctx, fc_list_fn visit, void *user);
 
-/* The same as one JSON object a line. */
+/* The same as one JSON object a line. FC_OK; FC_E_NOMEM, perhaps after some of the lines. */
 FC_API int fc_dump_json(fc_context *ctx, fc_line_fn line, void *user);
 
 /* Calls of idle identifiers are counted only while this is on: otherwise an idle probe is one load.

@@ -25,8 +25,8 @@ FC_API int fc_monitor_bool(fc_context *ctx, const char *id, bool value);
 FC_API int fc_monitor_bytes(fc_context *ctx, const char *id, const void *data, size_t len);
 
 /* Record every probe and monitor call and every packet put and delivered from now on: into the
- * file, or into memory when file is NULL. A recording under way is stopped first. FC_OK, FC_E_IO.
- */
+ * file, or into memory when file is NULL. A recording under way is stopped first. FC_OK, FC_E_IO,
+ * FC_E_NOMEM. */
 FC_API int fc_record_start(fc_context *ctx, const char *file);
 
 /* End the recording. FC_OK, also when there is none; FC_E_IO or FC_E_NOMEM when it is incomplete.
@@ -38,8 +38,8 @@ FC_API int fc_record_stop(fc_context *ctx);
 FC_API size_t fc_record_copy(fc_context *ctx, void *data, size_t capacity);
 
 /* The text form of a recording: line is called with one JSON object each, floats in C99
- * hexadecimal, bytes in hexadecimal. FC_OK; FC_E_FORMAT (fc_last_error_text() names the position).
- */
+ * hexadecimal, bytes in hexadecimal. FC_OK; FC_E_FORMAT (fc_last_error_text() names the position)
+ * or FC_E_NOMEM, after the lines up to there. */
 typedef void (*fc_line_fn)(void *user, const char *line);
 FC_API int fc_record_text(const void *recording, size_t len, fc_line_fn line, void *user);
 

@@ -74,8 +74,9 @@ int channel_put(fc_context &context, Channel &channel, const char *data, std::si
     return guarded(context, [&]() -> int {
         Reports reports;
         const int result = with_inputs(context, channel, [&](const CallInputs &inputs) {
+            const int put = channel.put({context, len > 0 ? data : "", len, inputs, reports});
             record_packet(context, channel, true, inputs, data, len);
-            return channel.put({context, len > 0 ? data : "", len, inputs, reports});
+            return put;
         });
         if (!reports.empty())
             reports.deliver(context);

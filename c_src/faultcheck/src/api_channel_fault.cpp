@@ -2,6 +2,7 @@
 #include "arming.h"
 
 #include <new>
+#include <stdexcept>
 
 namespace {
 
@@ -30,6 +31,8 @@ fc_fault_id add(fc_context *ctx, const char *channel, ChannelModelKind kind, con
         try {
             fill(model);
         } catch (const std::bad_alloc &) {
+            refused = {FC_E_NOMEM, "out of memory"};
+        } catch (const std::length_error &) { // more than any memory could hold
             refused = {FC_E_NOMEM, "out of memory"};
         }
     }

@@ -77,6 +77,12 @@ template <class T> int apply_dropout_to(const FaultCall &call, T *value) {
     return FC_OK;
 }
 
+// Takes the memory that applying the model to a value may need, so that this cannot fail.
+inline void prepare(const Model &model, ModelState &state, fc_type type, std::size_t size) {
+    if (keeps_values(model))
+        state.prepare(type, size, model.kind == FC_DELAY ? static_cast<std::uint64_t>(model.n) : 0);
+}
+
 // The window's first x of this type.
 template <class T> double first_of(ModelState &state, T *value) {
     ModelState::OfType *known = state.find(TypeOf<T>::value);

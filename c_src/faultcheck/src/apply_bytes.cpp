@@ -40,10 +40,6 @@ void restore(const std::string &kept, unsigned char *bytes, std::size_t size) {
         std::memcpy(bytes, kept.data(), common);
 }
 
-std::string as_string(const unsigned char *bytes, std::size_t size) {
-    return std::string(reinterpret_cast<const char *>(bytes), size);
-}
-
 } // namespace
 
 void apply_stuck(const FaultCall &call, fc_type type, unsigned char *bytes, std::size_t size) {
@@ -60,16 +56,7 @@ void apply_delay(const FaultCall &call, fc_type type, unsigned char *bytes, std:
     ModelState::OfType *known = call.state.find(type);
     if (known == nullptr)
         known = &call.state.add(type, bytes, size);
-    std::string input = as_string(bytes, size);
-    if (known->inputs < n) {
-        known->history.push_back(std::move(input));
-        restore(known->history.front(), bytes, size);
-    } else {
-        std::string &oldest = known->history[static_cast<std::size_t>(known->inputs % n)];
-        restore(oldest, bytes, size);
-        oldest.swap(input);
-    }
-    ++known->inputs;
+    restore(call.state.remember(*known, n, bytes, size), bytes, size);
 }
 
 bool apply_dropout(const FaultCall &call, fc_type type, unsigned char *bytes, std::size_t size) {

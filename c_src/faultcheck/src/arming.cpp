@@ -55,6 +55,10 @@ void note_wants(Probe &probe) {
         std::any_of(probe.faults.begin(), probe.faults.end(), [](const ProbeFault &fault) {
             return wants_time(fault.run.trigger, fault.model) || wants_predicate(fault.run.trigger);
         });
+    probe.has_memory =
+        std::any_of(probe.faults.begin(), probe.faults.end(),
+                    [](const ProbeFault &fault) { return keeps_values(fault.model); });
+    probe.is_plain = !probe.wants_inputs && !probe.has_memory;
 }
 
 fc_fault_id arm_probe(fc_context &context, const Name &name, const Model &model) {

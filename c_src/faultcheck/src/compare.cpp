@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <tuple>
 
 namespace fc {
 
@@ -124,8 +125,10 @@ std::vector<Divergence> compare(RecordingReader &golden, RecordingReader &run,
         if (is_divergence(result))
             results.push_back(std::move(result));
     }
-    std::stable_sort(results.begin(), results.end(),
-                     [](const Divergence &a, const Divergence &b) { return a.order < b.order; });
+    std::sort(results.begin(), results.end(), [](const Divergence &a, const Divergence &b) {
+        return std::tie(a.order, a.name.is_channel, a.name.text) <
+               std::tie(b.order, b.name.is_channel, b.name.text);
+    });
     return results;
 }
 

@@ -44,8 +44,41 @@ class ModelState {
     }
     OfType &add(fc_type type, const void *bytes, std::size_t size) {
         open_ = true;
-        of_types_.push_back({type, std::string(static_cast<const char *>(bytes), size), {}, 0});
+        spare_.type = type;
+        spare_.held.assign(static_cast<const char *>(bytes), size);
+        of_types_.push_back(std::move(spare_));
+        spare_ = OfType();
         return of_types_.back();
+    }
+
+    // Takes the memory that a call may need: after it, add() and remember() with a value of that
+    // type and size cannot fail. n: how many inputs are kept at most.
+    void prepare(fc_type type, std::size_t size, std::uint64_t n) {
+        OfType *known = find(type);
+        if (known == nullptr) {
+            make_room(of_types_);
+            spare_.held.reserve(size);
+            known = &spare_;
+        }
+        if (n > 0)
+            input_.reserve(size);
+        if (known->inputs < n)
+            make_room(known->history);
+    }
+
+    // DELAY by n calls, n > 0: keeps the input and gives the one that is due, which stays as it is
+    // until the next call.
+    const std::string &remember(OfType &known, std::uint64_t n, const void *bytes,
+                                std::size_t size) {
+        const auto *input = static_cast<const char *>(bytes);
+        input_.assign(input, size);
+        if (known.inputs++ < n) {
+            known.history.push_back(std::move(input_));
+            input_ = std::string();
+            return known.history.front();
+        }
+        input_.swap(known.history[static_cast<std::size_t>((known.inputs - 1) % n)]);
+        return input_;
     }
 
     std::int64_t first_time = 0; // DRIFT_TIMED, HELD_OFFSET: of the window's first call
@@ -53,9 +86,16 @@ class ModelState {
     double unit = 0;             // HELD_OFFSET: drawn last
 
   private:
+    template <class T> static void make_room(std::vector<T> &values) {
+        if (values.size() == values.capacity())
+            values.reserve(2 * values.size() + 1);
+    }
+
     bool open_ = false;
     std::uint64_t calls_ = 0;
     std::vector<OfType> of_types_;
+    OfType spare_ = {}; // the next one
+    std::string input_; // room for a value
 };
 
 } // namespace fc

@@ -19,6 +19,8 @@ struct ProbeContent {
     std::uint64_t calls = 0;        // while armed or watched
     std::vector<ProbeFault> faults; // in the order of adding
     bool wants_inputs = false;      // a fault asks for the time or a predicate
+    bool has_memory = false;        // a fault's model keeps values
+    bool is_plain = true;           // neither
 
     // Under the context's arming lock.
     bool latest_refused = false;

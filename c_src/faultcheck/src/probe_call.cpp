@@ -3,8 +3,6 @@
 #include "apply.h"
 #include "call_inputs.h"
 
-#include <new>
-
 namespace fc {
 
 namespace {
@@ -30,6 +28,19 @@ __attribute__((noinline, cold)) void note_skipped(const Probe &probe, ProbeFault
                                                   fc_type type, int code, Reports &reports) {
     fault.run.count_skipped(code);
     reports.add(code, fault.id, fault.meets(code), why_skipped(probe, fault, type, code));
+}
+
+std::size_t size_of(const ByteSpan &bytes) {
+    return bytes.size;
+}
+template <class T> constexpr std::size_t size_of(const T &) {
+    return sizeof(T);
+}
+
+// Everything of a walk that may fail.
+template <class T> __attribute__((noinline)) void prepare_faults(Probe &probe, const T &value) {
+    for (ProbeFault &fault : probe.faults)
+        prepare(fault.model, fault.run.state, TypeOf<T>::value, size_of(value));
 }
 
 // Under the probe's lock. Returns how many faults were applied.
@@ -104,6 +115,8 @@ int report_null(fc_context &context, const char *id) {
 template <class T>
 void walk_watched(fc_context &context, Probe &probe, bool recording, const CallInputs &inputs,
                   T *value, Reports &reports) {
+    if (probe.has_memory)
+        prepare_faults(probe, *value);
     if (recording)
         walk_and_record(context, probe, inputs, value, reports);
     else
@@ -129,7 +142,8 @@ __attribute__((noinline)) void probe_asking(fc_context &context, Probe &probe, b
     }
 }
 
-// A call that is recorded or counted, or whose faults ask for the time or a predicate.
+// A call that is recorded or counted, or whose faults ask for the time or a predicate or keep
+// values.
 template <class T>
 __attribute__((noinline)) void probe_with_inputs(fc_context &context, Probe &probe, T *value,
                                                  Reports &reports) {
@@ -152,25 +166,30 @@ constexpr CallInputs kNoInputs;
 // True when the call is done.
 template <class T> bool probe_without_inputs(Probe &probe, T *value, Reports &reports) {
     const std::lock_guard<SpinLock> hold(probe.lock);
-    if (probe.wants_inputs || probe.watched)
+    if (!probe.is_plain || probe.watched)
         return false;
     if (!probe.faults.empty())
         walk_faults(probe, kNoInputs, value, reports);
     return true;
 }
 
-// The identifier is listed from now on.
-Probe &see(fc_context &context, Probe *known, const char *id, fc_type type) {
+// The record of an identifier that is not known, or not as this type.
+Probe &meet(fc_context &context, Probe *known, const char *id) {
     const std::lock_guard<std::mutex> hold(context.arming);
     Probe &probe = known != nullptr ? *known : context.probe(read_name(id));
-    probe.listed = true;
     if (context.watched()) {
         const std::lock_guard<SpinLock> hold_probe(probe.lock);
         probe.watch(true);
     }
+    return probe;
+}
+
+// The identifier is listed from now on.
+void note_seen(fc_context &context, Probe &probe, fc_type type) {
+    const std::lock_guard<std::mutex> hold(context.arming);
+    probe.listed = true;
     probe.state[type].fetch_and(static_cast<std::uint8_t>(~Probe::kUnseen),
                                 std::memory_order_relaxed);
-    return probe;
 }
 
 } // namespace
@@ -178,14 +197,18 @@ Probe &see(fc_context &context, Probe *known, const char *id, fc_type type) {
 Probe &monitored(fc_context &context, const char *id, fc_type type) {
     Probe *known = context.probes.find(read_name(id));
     if (known == nullptr ||
-        (known->state[type].load(std::memory_order_relaxed) & Probe::kUnseen) != 0)
-        return see(context, known, id, type);
+        (known->state[type].load(std::memory_order_relaxed) & Probe::kUnseen) != 0) {
+        Probe &probe = meet(context, known, id);
+        note_seen(context, probe, type);
+        return probe;
+    }
     return *known;
 }
 
 template <class T> int probe_armed(fc_context &context, Probe &probe, T *value) {
     if (value == nullptr)
         return report_null(context, probe.name.text().c_str());
+    // As guarded(), whose call would be felt here.
     try {
         Reports reports;
         const std::uint8_t state = probe.state[TypeOf<T>::value].load(std::memory_order_relaxed);
@@ -194,17 +217,21 @@ template <class T> int probe_armed(fc_context &context, Probe &probe, T *value) 
         return reports.empty() ? FC_OK : deliver(context, reports);
     } catch (const std::bad_alloc &) {
         return report_no_memory(context);
+    } catch (const std::length_error &) {
+        return report_no_memory(context);
     }
 }
 
 template <class T> int probe_unseen(fc_context &context, Probe *known, const char *id, T *value) {
     if (value == nullptr)
         return report_null(context, id);
-    try {
-        return probe_armed(context, see(context, known, id, TypeOf<T>::value), value);
-    } catch (const std::bad_alloc &) {
-        return report_no_memory(context);
-    }
+    return guarded(context, [&]() -> int {
+        Probe &probe = meet(context, known, id);
+        const int result = probe_armed(context, probe, value);
+        if (result != FC_E_NOMEM) // then the call has no effect
+            note_seen(context, probe, TypeOf<T>::value);
+        return result;
+    });
 }
 
 #define FC_PROBE_TYPE(T)                                                                           \

@@ -29,8 +29,12 @@ int Recorder::start(const char *file) {
     sequence_ = 0;
     ++recording_;
     end_ = buffer_.get();
-    if (!make_room(kMagicSize))
+    if (!make_room(kMagicSize)) {
+        if (file_ != nullptr)
+            std::fclose(file_);
+        file_ = nullptr;
         return FC_E_NOMEM;
+    }
     put(kRecordingMagic, kMagicSize);
     on_ = true;
     return FC_OK;

@@ -36,6 +36,8 @@ void deliver(fc_context &context, const fc_error &error) {
 } // namespace
 
 void Reports::add(int code, fc_fault_id fault, bool first, const Text &text) noexcept {
+    if (first_ == FC_OK)
+        first_ = code;
     try {
         if (reports_ == nullptr)
             reports_ = std::make_unique<std::vector<Report>>();
@@ -45,19 +47,13 @@ void Reports::add(int code, fc_fault_id fault, bool first, const Text &text) noe
     }
 }
 
-int Reports::code() const {
-    if (reports_ != nullptr && !reports_->empty())
-        return reports_->front().code;
-    return lost_ > 0 ? FC_E_NOMEM : FC_OK;
-}
-
 void Reports::deliver(fc_context &context) const {
     if (reports_ != nullptr)
         for (const Report &entry : *reports_)
             fc::deliver(context, {entry.code, entry.fault, entry.first, entry.text.c_str()});
     if (lost_ > 0)
         report(context, FC_E_NOMEM,
-               format("out of memory while reporting %zu skipped faults", lost_));
+               format("out of memory while reporting %u skipped faults", lost_));
 }
 
 int report(fc_context &context, int code, const Text &text) {

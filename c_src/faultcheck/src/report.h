@@ -28,9 +28,11 @@ class Reports {
   public:
     void add(int code, fc_fault_id fault, bool first, const Text &text) noexcept;
     // The code of the earliest, or FC_OK.
-    int code() const;
+    int code() const {
+        return first_;
+    }
     bool empty() const {
-        return reports_ == nullptr && lost_ == 0;
+        return first_ == FC_OK;
     }
     // Without any lock held.
     void deliver(fc_context &context) const;
@@ -38,7 +40,8 @@ class Reports {
   private:
     // Two words: a probe call that goes well pays for making this.
     std::unique_ptr<std::vector<Report>> reports_;
-    std::size_t lost_ = 0; // for want of memory
+    int first_ = FC_OK;
+    unsigned lost_ = 0; // for want of memory
 };
 
 // One error at once, without any lock held. Returns the code.
