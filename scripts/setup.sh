@@ -41,6 +41,7 @@ test    cmd:shellcheck           shellcheck
 test    cmd:dwz                  dwz
 test    cmd:git                  git
 test    cmd:python3              python3
+test    cmd:arm-none-eabi-gcc    gcc-arm-none-eabi
 test    cmd:aarch64-linux-gnu-g++  g++-aarch64-linux-gnu
 test    cmd:qemu-aarch64         qemu-user
 coverage cmd:lcov                lcov

@@ -17,6 +17,7 @@ stages=(
   "programs:scripts/stages/scripts.sh"
   "sanitizers:scripts/stages/native.sh asan"
   "threads:scripts/stages/native.sh tsan"
+  "embedded:scripts/stages/embedded.sh"
   "dialyzer:scripts/stages/dialyzer.sh"
   "format:scripts/stages/format.sh"
   "lint:scripts/stages/lint.sh"

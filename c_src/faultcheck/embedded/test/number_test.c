@@ -58,7 +58,7 @@ static void numbers(void) {
     MEANS("0e99999999999", 0.0f, "0e99");
     MEANS("00000000000000000000000001", 1.0f, "1");
     MEANS("0.00000000000000000000000000000000000000000000000000000000000001e62", 1.0f, "1");
-    MEANS("1000000000000000000000000000000000000000000000000000000000000e-60", 1.0f, "0.100000000");
+    MEANS("1000000000000000000000000000000000000000000000000000000000000e-60", 1.0f, "1.000000000");
 }
 
 static void no_numbers(void) {
@@ -73,7 +73,6 @@ static void no_numbers(void) {
                                         "1e-",
                                         "1.2.3",
                                         "1,5",
-                                        "1 ",
                                         "--1",
                                         "+-1",
                                         "1e3.",
@@ -86,7 +85,7 @@ static void no_numbers(void) {
                                         "1e1000",
                                         "1e39",
                                         "-1e39",
-                                        "3.402823567e38",
+                                        "3.402823568e38",
                                         "999999999999999999999999999999999999999",
                                         "1e99999999999"};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
@@ -102,12 +101,12 @@ static void no_numbers(void) {
 /* Nine digits name every float: the float they are from comes back. */
 static void every_float_comes_back(void) {
     unsigned bits = 1;
-    for (int i = 0; i < 200000; i++) {
+    for (int i = 0; i < 50000; i++) {
         union {
             unsigned bits;
             float value;
         } given, got;
-        char text[32], listed[64];
+        char text[64], listed[64];
         bits = bits * 1664525u + 1013904223u;
         given.bits = bits;
         if ((bits >> 23 & 0xff) == 0xff)
@@ -125,8 +124,8 @@ static void every_float_comes_back(void) {
 /* Up to ten digits and exponents to +-22 are rounded once in double and once to float. */
 static void short_numbers_are_the_nearest_float(void) {
     unsigned random = 7;
-    for (int i = 0; i < 100000; i++) {
-        char text[32], listed[64];
+    for (int i = 0; i < 50000; i++) {
+        char text[64], listed[64];
         float got = 0;
         random = random * 1664525u + 1013904223u;
         snprintf(text, sizeof text, "%u.%02ue%d", random / 4096, random % 100,

@@ -7,7 +7,7 @@
 
 namespace {
 
-constexpr int kRounds = 20000;
+constexpr int kRounds = 5000;
 
 // Each fault replaces a value by one that names it; a mixture of two would give another one. The
 // identifiers share a slot: each is cleared before the next is added.
