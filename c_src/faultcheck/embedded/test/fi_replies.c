@@ -18,8 +18,8 @@ static void keep(const char *line) {
     fi_last.lines++;
 }
 
-int fi_run(const char *line) {
+const char *fi_run(const char *line) {
     memset(&fi_last, 0, sizeof fi_last);
     fi_process_line(line, keep);
-    return fi_last.lines;
+    return fi_last.text;
 }

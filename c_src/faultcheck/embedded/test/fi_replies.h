@@ -11,7 +11,7 @@ typedef struct {
 
 extern fi_replies fi_last;
 
-/* Processes a line and keeps the replies in fi_last. Returns how many lines they are. */
-int fi_run(const char *line);
+/* Processes a line, keeps the replies in fi_last and returns their text. */
+const char *fi_run(const char *line);
 
 #endif
