@@ -100,4 +100,36 @@ check "a C program finds both libraries with CMake" exits 0 '^10$' \
 check "and with pkg-config" exits 0 '^10$' \
   'export PKG_CONFIG_PATH='"$here"'/moved/lib/pkgconfig LD_LIBRARY_PATH='"$here"'/moved/lib
    gcc c/probe.c $(pkg-config --cflags --libs faultcheck e2e) -o c/probe && c/probe'
+
+# The embedded profile: as a library for the host, and as source for firmware.
+mkdir "$here/home/embedded" && chmod a+rwx "$here/home/embedded"
+cat >"$here/home/embedded/probe.c" <<'C'
+#include <fi.h>
+#include <stdio.h>
+static void show(const char *line) {
+    puts(line);
+}
+int main(void) {
+    int value = 7;
+    fi_init();
+    fi_process_line("fi_set_enabled 1", show);
+    fi_process_line("fi_add_fault speed AMPLIFICATION -1.5 0 0", show);
+    fi_inject_fault_int("speed", &value);
+    printf("%d\n", value);
+    return value == -10 ? 0 : 1;
+}
+C
+cat >"$here/home/embedded/CMakeLists.txt" <<'C'
+cmake_minimum_required(VERSION 3.25)
+project(probe C)
+find_package(faultcheck REQUIRED)
+add_executable(probe probe.c)
+target_link_libraries(probe PRIVATE faultcheck::embedded)
+C
+check "a C program finds the embedded profile with CMake" exits 0 '^-10$' \
+  'cmake -S embedded -B embedded/build -DCMAKE_PREFIX_PATH='"$here"'/moved >/dev/null &&
+   cmake --build embedded/build >/dev/null && embedded/build/probe'
+check "its source compiles alone" exits 0 '^-10$' \
+  'from='"$here"'/moved/share/faultcheck/embedded
+   gcc -std=c99 -I $from embedded/probe.c $from/fi.c -o embedded/probe && embedded/probe'
 [ $failures -eq 0 ]

@@ -30,7 +30,8 @@ faults() -> [add].
 %% Traffic is what shows a fault.
 weight(_S, probe) -> 12;
 weight(_S, add) -> 6;
-weight(_S, set_enabled) -> 2;
+weight(#state{enabled = false}, set_enabled) -> 8;
+weight(_S, set_enabled) -> 1;
 weight(_S, _) -> 1.
 
 %% ---- add ----------------------------------------------------------------------------------------

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Writes a copy of libfaultcheck's sources with one seeded defect.
 #
-#   apply.sh NUMBER DIRECTORY    the copy goes into DIRECTORY/src; prints what is wrong and the file, one line each
+#   apply.sh NUMBER DIRECTORY    the copy goes into DIRECTORY/src and DIRECTORY/embedded; prints what is wrong and the
+#                                file, one line each
 #   apply.sh --numbers           prints the numbers of all defects
 #
 # Exit status 2 when there is no such defect or its line is not in the file as defects.txt says.
@@ -28,8 +29,9 @@ mapfile -t defect < <(awk -v number="$number" '
 [ ${#defect[@]} -eq 5 ] || { echo "apply: no defect $number in $list" >&2; exit 2; }
 title=${defect[0]} file=${defect[1]} nth=${defect[2]}
 
-mkdir -p "$out/src"
+mkdir -p "$out/src" "$out/embedded"
 cp "$here"/../src/*.{cpp,h,map} "$out/src/"
+cp "$here"/../embedded/fi.{c,h} "$out/embedded/"
 OLD=${defect[3]} NEW=${defect[4]} awk -v nth="$nth" '
   { line = $0; gsub(/^ +| +$/, "", line) }
   line == ENVIRON["OLD"] {

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Builds libfaultcheck with one seeded defect: only what depends on the changed file is compiled anew.
 #
-#   build.sh NUMBER DIRECTORY    NUMBER 0: no defect. Writes DIRECTORY/lib/libfaultcheck.so and the driver
-#                                libfc_threads.so, and keeps what can be used again
+#   build.sh NUMBER DIRECTORY    NUMBER 0: no defect. Writes DIRECTORY/lib/libfaultcheck.so, the driver
+#                                libfc_threads.so and the embedded profile, libfi_model.so, and keeps what can be used
+#                                again
 #
 # Prints what is wrong and in which file, one line each. The compiler is $CXX, or c++. Exit status 2 when the defect
 # does not exist or does not compile.
@@ -28,11 +29,13 @@ fi
 rm -rf "${work:?}/mutant" "${work:?}/lib"
 mkdir -p "$work/mutant" "$work/lib"
 cp "$work"/good/*.o "$work/mutant/"
+embedded="$here/../embedded"
 if [ "$number" = 0 ]; then
   printf 'no defect\nnone\n'
 else
   applied=$("$here/apply.sh" "$number" "$work/mutant") || exit 2
   file=$(basename "${applied##*$'\n'}")
+  embedded="$work/mutant/embedded"
   for source in "$work"/mutant/src/*.cpp; do
     if grep -q "/$file\b" "$work/good/$(basename "$source" .cpp).d"; then
       compile "$source" "$work/mutant" || exit 2
@@ -44,4 +47,6 @@ fi
   "$work"/mutant/*.o -o "$work/lib/$soname" || exit 2
 ln -s "$soname" "$work/lib/libfaultcheck.so"
 "${CC:-cc}" -std=c99 -O1 -g -fPIC -shared -pthread -fvisibility=hidden -I "$here/../include" -I "$here/../threads" \
-  "$here/../threads/fc_threads.c" -o "$work/lib/libfc_threads.so" -L "$work/lib" -lfaultcheck "-Wl,-rpath,\$ORIGIN"
+  "$here/../threads/fc_threads.c" -o "$work/lib/libfc_threads.so" -L "$work/lib" -lfaultcheck "-Wl,-rpath,\$ORIGIN" || exit 2
+"${CC:-cc}" -std=c99 -O1 -g -w -ffreestanding -ffp-contract=off -fPIC -shared -I "$embedded" "$embedded/fi.c" \
+  "$here/../embedded/test/fi_replies.c" -o "$work/lib/libfi_model.so"
