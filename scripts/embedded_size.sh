@@ -23,7 +23,7 @@ mkdir -p "$out"
 status=0
 fail() { echo "embedded_size: $1" >&2; status=1; }
 
-(cd "$out" && "$cross-gcc" "${flags[@]}" "${strict[@]}" -fstack-usage "$@" -c ../../c_src/faultcheck/embedded/fi.c -o fi.o)
+"$cross-gcc" "${flags[@]}" "${strict[@]}" -fstack-usage "$@" -c c_src/faultcheck/embedded/fi.c -o "$out/fi.o"
 
 # size -A: a line for each section, "NAME SIZE ADDRESS"
 read -r text rodata ram < <("$cross-size" -A "$out/fi.o" | awk '

@@ -144,7 +144,7 @@ is_listed(Line, #probe{id = Id, calls = Calls}, #fault{} = F) ->
 bits(Param) ->
     case binary:split(Param, <<"e">>) of
         [_] -> faultcheck_embedded_sut:bits(Param);
-        [Digits, Exponent] -> faultcheck_embedded_sut:bits(<<Digits/binary, ".0e", Exponent/binary>>)
+        [Digits, Power] -> faultcheck_embedded_sut:bits(<<Digits/binary, ".0e", Power/binary>>)
     end.
 
 %% ---- probe --------------------------------------------------------------------------------------

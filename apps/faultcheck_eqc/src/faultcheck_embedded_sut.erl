@@ -113,7 +113,8 @@ count(Id, #main{calls = Calls} = Main) -> Main#main{calls = maps:merge(#{Id => 0
 
 trigger(Fault, Start, Duration) ->
     'FC_OK' = faultcheck_eqc_sut:trigger(a, Fault, {from, Start}),
-    'FC_OK' = faultcheck_eqc_sut:trigger(a, Fault, {for, case Duration of 0 -> -1; _ -> Duration end}),
+    Calls = case Duration of 0 -> -1; _ -> Duration end,
+    'FC_OK' = faultcheck_eqc_sut:trigger(a, Fault, {for, Calls}),
     ok.
 
 model(<<"BITFLIP">>, Bits) ->

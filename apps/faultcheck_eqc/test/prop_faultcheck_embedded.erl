@@ -6,5 +6,5 @@
 
 prop_embedded() -> faultcheck_embedded:agrees().
 
-prop_embedded(doc) -> "fi.h: commands, windows, counters; values as in libfaultcheck: 1, 2 and 5.20";
+prop_embedded(doc) -> "fi.h: commands, windows, counters; values as in libfaultcheck: 1, 5.20";
 prop_embedded(opts) -> [{numtests, 300}, {transport, nif}].

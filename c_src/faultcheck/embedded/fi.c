@@ -1,6 +1,5 @@
 /* fi.c: the probes, the table of faults, and the text commands. */
 #include "fi.h"
-
 #include <stddef.h>
 #include <stdint.h>
 
@@ -266,6 +265,7 @@ static const char *clear_faults(line *l) {
     (void)l;
     for (probe *p = probes; p < probes + FI_PROBES; p++)
         STORE(p->faults, 0);
+    FENCE();
     STORE(epoch, epoch + 1);
     FENCE();
     return NULL;
@@ -319,7 +319,7 @@ void fi_process_line(const char *text, void (*reply)(const char *)) {
     l.reply = reply;
     l.bad = l.words;
     l.length = 0;
-    for (text = skip(text, true); n < 7 && *text != '\0'; text = skip(l.words[n++].end, true))
+    for (text = skip(text ? text : "", true); n < 7 && *text; text = skip(l.words[n++].end, true))
         l.words[n] = (word){text, skip(text, false)};
     l.words[n] = (word){"the end", NULL};
     for (const struct command *c = commands; c < commands + sizeof commands / sizeof *c; c++)

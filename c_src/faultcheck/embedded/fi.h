@@ -48,8 +48,8 @@ bool fi_is_active(void);
 /* Probes: alter *value as the faults of id say. NULL or an empty id: nothing happens. */
 void fi_inject_fault_float(const char *id, float *value);
 void fi_inject_fault_int(const char *id, int *value);
-/* One command. Words are separated by spaces; line ends count as spaces. reply may be NULL; it gets
- * each line of the answer, valid during the call, without line end; the last says ok or error. */
+/* One command; NULL is none. Words are separated by spaces; line ends count as spaces. reply gets
+ * each line of the answer, valid during its call; the last says ok or error. reply may be NULL. */
 void fi_process_line(const char *line, void (*reply)(const char *));
 #ifdef __cplusplus
 }

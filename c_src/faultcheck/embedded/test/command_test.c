@@ -9,7 +9,8 @@ static bool replies(const char *line, const char *expected) {
     fi_run(line);
     if (strcmp(fi_last.text, expected) == 0)
         return true;
-    fprintf(stderr, "%s\n  gave     %s  expected %s", line, fi_last.text, expected);
+    fprintf(stderr, "%s\n  gave     %s  expected %s", line != NULL ? line : "NULL", fi_last.text,
+            expected);
     return false;
 }
 
@@ -44,6 +45,7 @@ static void unknown_commands(void) {
     start();
     CHECK(refuses("", "a command, not the end"));
     CHECK(refuses("   ", "a command, not the end"));
+    CHECK(refuses(NULL, "a command, not the end"));
     CHECK(refuses("fi_set", "a command, not fi_set"));
     CHECK(refuses("fi_clear_faultss", "a command, not fi_clear_faultss"));
     CHECK(refuses("FI_CLEAR_FAULTS", "a command, not FI_CLEAR_FAULTS"));
