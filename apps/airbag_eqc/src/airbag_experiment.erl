@@ -6,7 +6,7 @@
 %% commands.
 -module(airbag_experiment).
 
--export([first_failures/3, long_run/4, in_state/2, test/3, quantile/2]).
+-export([first_failures/3, long_run/4, in_state/2, test/3]).
 -export_type([first_failures/0, long_run/0, failure/0]).
 
 %% The number of the first failing test of each seed, or none within the limit; seeds in order.
@@ -116,15 +116,3 @@ failure(Number, Commands, {History, _, _}) ->
         flips => lists:sort([{B, I} || {bitflip, B, I} <- airbag_eqc:armed_faults(State)]),
         commands => lists:sublist(Commands, length(History))
     }.
-
-%% ---- statistics -----------------------------------------------------------------------------
-
-%% @doc The P-quantile of a list of numbers, interpolated between neighbours.
--spec quantile(float(), [number(), ...]) -> float().
-quantile(P, Numbers) ->
-    Sorted = lists:sort(Numbers),
-    Place = P * (length(Sorted) - 1),
-    Index = floor(Place),
-    Low = lists:nth(Index + 1, Sorted),
-    High = lists:nth(min(Index + 2, length(Sorted)), Sorted),
-    float(Low + (Place - Index) * (High - Low)).

@@ -139,7 +139,7 @@ numbers(Name, Changes, #{seeds := Seeds} = Context) ->
     [N || {_, N} <- Firsts, N =/= none].
 
 first_row({Label, Paper, Numbers}) ->
-    Quantile = fun(P) -> round(airbag_experiment:quantile(P, Numbers)) end,
+    Quantile = fun(P) -> round(faultcheck_statistics:quantile(P, Numbers)) end,
     Below = 100 * length([N || N <- Numbers, N < 50]) / length(Numbers),
     io_lib:format("| ~s | ~s | ~b | ~b to ~b | ~.1f % | ~b |\n", [
         Label, Paper, Quantile(0.5), Quantile(0.25), Quantile(0.75), Below, length(Numbers)
@@ -264,7 +264,7 @@ searched(Objective, Count) ->
 
 searched_row({Label, Chance, Results}) ->
     Runs = [Runs || {found, #{runs := Runs}} <- Results],
-    Quantile = fun(P) -> round(airbag_experiment:quantile(P, Runs)) end,
+    Quantile = fun(P) -> round(faultcheck_statistics:quantile(P, Runs)) end,
     io_lib:format("| ~s | ~b | ~b to ~b | ~b | ~b of ~b | ~s |\n", [
         Label, Quantile(0.5), Quantile(0.25), Quantile(0.75),
         round(lists:sum(Runs) / length(Runs)), length(Runs), length(Results), Chance

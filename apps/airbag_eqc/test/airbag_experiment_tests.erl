@@ -41,9 +41,3 @@ failure() ->
     #{test := Number, flips := Flips, commands := Commands} = First,
     ?assertNotEqual([], Flips),
     ?assertMatch({set, _, {call, airbag_eqc, sensor, [[_, 170]]}}, lists:last(Commands)).
-
-quantiles_by_hand_test() ->
-    ?assertEqual(2.0, airbag_experiment:quantile(0.5, [3, 1, 2])),
-    ?assertEqual(2.5, airbag_experiment:quantile(0.5, [4, 1, 2, 3])),
-    ?assertEqual(1.75, airbag_experiment:quantile(0.25, [4, 1, 2, 3])),
-    ?assertEqual(7.0, airbag_experiment:quantile(0.75, [7])).

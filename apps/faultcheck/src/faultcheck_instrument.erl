@@ -40,8 +40,8 @@ peel({on_output, Print, Test}, Outer) -> peel(Test, Outer#{on_output => Print});
 peel({setup, Fun, Test}, Outer) -> peel(Test, Outer#{setup => [Fun | maps:get(setup, Outer, [])]});
 peel(Test, Outer) -> {Test, Outer}.
 
-%% @doc Whether test i needs nothing of the tests before it. Searches of PropEr do: an ?EXISTS, and a
-%% targeted property, which PropEr gives a set-up function of its own.
+%% @doc Whether test i needs nothing of the tests before it. Searches of PropEr do: an ?EXISTS,
+%% and a targeted property, which PropEr gives a set-up function of its own.
 -spec independent({proper:test(), outer()}) -> boolean().
 independent({Test, Outer}) ->
     Own = [F || F <- maps:get(setup, Outer, []), erlang:fun_info(F, module) =:= {module, proper}],

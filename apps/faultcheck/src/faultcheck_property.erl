@@ -127,7 +127,8 @@ environment(Job, Meta) ->
     ),
     Named = [{bias, boundary_bias}, {max_runs, max_runs}],
     Ours = [{faultcheck, To, maps:get(From, Job)} || {From, To} <- Named, is_map_key(From, Job)],
-    lists:foreach(fun({App, Key, V}) -> application:set_env(App, Key, V) end, Transport ++ Ours ++ Given).
+    Settings = Transport ++ Ours ++ Given,
+    lists:foreach(fun({App, Key, V}) -> application:set_env(App, Key, V) end, Settings).
 
 transport({ok, Transport}, _) -> [Transport];
 transport(error, {transport, Transport}) -> [Transport];
