@@ -158,6 +158,8 @@ markdown() ->
         section("On channels", communication),
         parameters(),
         triggers(),
+        faultcheck_fault_realistic:markdown(),
+        by_name(),
         standards()
     ].
 
@@ -203,6 +205,25 @@ triggers() ->
     "| `{periodic, Period, Active}` | in the first Active of each Period calls |\n"
     "| `{predicate, Function}` | while the C function `bool Function(void *)` says so |\n\n"
     "A call is a probe call, a get of a receiver, or a put.\n".
+
+by_name() ->
+    "\n## By name\n\n"
+    "Scenarios and `fc_arm_named` of `fc_named.h` name a model and its parameters: the names of\n"
+    "the terms above in lower case, as in `\"model\": \"drift_timed\", \"rate\": 0.1, \"limit\": "
+    "5`.\nThese may also be called otherwise, and these may be left out:\n\n"
+    "| model | parameter |\n|---|---|\n"
+    "| amplification, offset | `value` for `factor` and `constant` |\n"
+    "| drift, drift_timed | without `limit` there is none |\n"
+    "| drop | `count` for `packets`; without it all packets |\n"
+    "| repeat | `count` for `packets` |\n"
+    "| bitflip of a channel | another name of corruption |\n"
+    "| delay of a channel | either `gets` or `ns` |\n"
+    "| insert | `packet` in hexadecimal; `times` 1 |\n"
+    "| subset, asymmetric | `receivers`: names between commas |\n"
+    "| field, asymmetric | `apply` a model of a probe, beside its parameters, to the field at "
+    "`byte` of `type`, `big_endian` 0 or 1, bytes of `length`; without them to the whole packet "
+    "|\n\n"
+    "`fc_model_name` and `fc_model_parameter` list them all.\n".
 
 standards() ->
     "\n## Names in the standards\n\n"

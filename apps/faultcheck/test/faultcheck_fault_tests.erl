@@ -29,8 +29,8 @@ examples() ->
     [
         {bitflip, 31}, bitflip_random, stuck, {stuck_bit, 3, 1}, {amplification, -1.5},
         {{offset, nan}, [{from, 10}, {for, 2}]}, {set_to, inf}, {noise_uniform, 0.5},
-        {noise_gauss, 2}, {random_offset, neg_inf, 3}, {held_offset, -4, 4, 1000}, {drift, 0.1, none},
-        {drift_timed, 0.1, 5.0}, {ramp, 10, 4}, {delay, {calls, 3}}, {quantise, 0.25},
+        {noise_gauss, 2}, {random_offset, neg_inf, 3}, {held_offset, -4, 4, 1000},
+        {drift, 0.1, none}, {drift_timed, 0.1, 5.0}, {ramp, 10, 4}, {delay, {calls, 3}}, {quantise, 0.25},
         {dead_zone, 0, 1}, {saturate, -1, 1}, {oscillate, 1.0, 8}, {dropout, 0.5, nan},
         {{spike, 0.1, 9}, [{random, 0.5}]}, {corruption, 2, 7}, {field, {0, u16, big}, {offset, 1}},
         {truncate, 0}, {extend, 2, 255}, {drop, 1}, {lose, [{periodic, 4, 1}]}, {repeat, 2},

@@ -16,7 +16,9 @@ inject_test_() ->
                 fun packets_are_altered/1,
                 fun what_is_invalid_is_refused/1,
                 fun what_the_library_refuses_is_told/1,
-                fun every_value_model_can_be_armed/1
+                fun every_value_model_can_be_armed/1,
+                fun realistic_faults_can_be_armed/1,
+                fun parameters_by_name_are_those_of_the_terms/1
             ]
         ]
     end}.
@@ -111,3 +113,48 @@ every_value_model_can_be_armed(Lib) ->
     Faults = [F || F <- faultcheck_fault_tests:examples(), faultcheck_fault:stage(F) =:= probe],
     ?assert(length(Faults) > 19),
     [?assertMatch({ok, _}, faultcheck_inject:arm(Lib, null, {probe, <<"x">>}, F)) || F <- Faults].
+
+realistic_faults_can_be_armed(Lib) ->
+    Where = fun(F) ->
+        case faultcheck_fault:class(F) of
+            communication -> {channel, <<"ITS_DATA0">>};
+            _ -> {probe, <<"RollId0">>}
+        end
+    end,
+    [
+        ?assertMatch({ok, _}, faultcheck_inject:arm(Lib, null, Where(F), F))
+     || {_, _, Faults, _} <- faultcheck_fault_realistic:rows(), F <- Faults
+    ].
+
+%% docs/faults.md says so of fc_arm_named.
+parameters_by_name_are_those_of_the_terms(Lib) ->
+    Examples = [faultcheck_fault:model(F) || F <- faultcheck_fault_tests:examples()],
+    Models = [M || M <- Examples, is_numeric(parameters(M))],
+    ?assert(length(Models) > 25),
+    [?assertMatch({_, Id} when Id > 0, {M, arm_named(Lib, M)}) || M <- Models].
+
+arm_named(Lib, Model) ->
+    Name = atom_to_binary(name(Model)),
+    [#{parameters := Kinds} | _] = entries(Model),
+    Arguments = [
+        #{name => list_to_binary(string:lowercase(atom_to_list(P))), text => null, number => V}
+     || {{P, _}, V} <- lists:zip(Kinds, parameters(Model)), V =/= none
+    ],
+    Function =
+        case faultcheck_fault:class(Model) of
+            communication -> fc_channel_arm_named;
+            _ -> fc_arm_named
+        end,
+    cb:call(Lib, Function, [null, <<"x">>, Name, Arguments, length(Arguments)]).
+
+entries(Model) -> faultcheck_fault_catalogue:find(name(Model)).
+
+name(Model) when is_atom(Model) -> Model;
+name(Model) -> element(1, Model).
+
+parameters(Model) when is_atom(Model) -> [];
+parameters(Model) -> tl(tuple_to_list(Model)).
+
+%% Texts, units and models inside models have words of their own.
+is_numeric(Parameters) ->
+    lists:all(fun(P) -> is_number(P) orelse P =:= none orelse P =:= inf end, Parameters).

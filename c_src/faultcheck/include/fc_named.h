@@ -19,7 +19,7 @@ typedef enum {
 /* A parameter of a model. */
 typedef struct {
     const char *name;  /* "value", "low" ... */
-    const char *other; /* a second name that means the same, the symbol of the model; or NULL */
+    const char *other; /* more names that mean the same, between commas; or NULL */
     fc_takes takes;    /* what kind of value */
     bool required;     /* or has a value of its own */
     const char *text;  /* one line: what it is, and the value when it is left out */

@@ -7,8 +7,22 @@ namespace fc {
 
 namespace {
 
+// names: between commas, or null.
+bool is_one_of(const char *names, const char *asked) {
+    const std::size_t length = std::strlen(asked);
+    while (names != nullptr) {
+        const char *end = std::strchr(names, ',');
+        const std::size_t here =
+            end == nullptr ? std::strlen(names) : static_cast<std::size_t>(end - names);
+        if (here == length && std::strncmp(names, asked, length) == 0)
+            return true;
+        names = end == nullptr ? nullptr : end + 1;
+    }
+    return false;
+}
+
 bool is_called(const char *name, const char *other, const char *asked) {
-    return std::strcmp(name, asked) == 0 || (other != nullptr && std::strcmp(other, asked) == 0);
+    return std::strcmp(name, asked) == 0 || is_one_of(other, asked);
 }
 
 // -1 when the model has no such parameter.

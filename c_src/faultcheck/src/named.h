@@ -37,7 +37,7 @@ constexpr NamedParameter optional(NamedParameter parameter) {
 
 struct NamedModel {
     const char *name;
-    const char *other;                          // a second name, or null
+    const char *other;                          // more names, between commas, or null
     NamedParameter parameters[kMostParameters]; // those after the last one have no name
     bool applies; // a model of probes, which gets the arguments that are left
 };
@@ -75,7 +75,7 @@ class NamedArguments {
 const NamedModel *value_model_at(int index);
 const NamedModel *channel_model_at(int index);
 
-// The index of the one of that name or second name, or -1.
+// The index of the one that has that name, or -1.
 int find_model(const NamedModel *(*at)(int), const char *name);
 
 // FC_OK, or FC_E_ARG with the reason. The values may still be out of the model's range.

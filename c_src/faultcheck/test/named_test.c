@@ -46,6 +46,8 @@ static const struct {
     {"amplification", {{"value", NULL, 0.95}}, {FC_AMPLIFICATION, 0.95, 0, 0}},
     {"amplification", {{"factor", NULL, 0.95}}, {FC_AMPLIFICATION, 0.95, 0, 0}},
     {"offset", {{"value", NULL, -3.5}}, {FC_OFFSET, -3.5, 0, 0}},
+    {"offset", {{"constant", NULL, 2}}, {FC_OFFSET, 2, 0, 0}},
+    {"offset", {{"c", NULL, 2}}, {FC_OFFSET, 2, 0, 0}},
     {"set_to", {{"value", NULL, 1e300}}, {FC_SET_TO, 1e300, 0, 0}},
     {"noise_uniform", {{"amplitude", NULL, 2}}, {FC_NOISE_UNIFORM, 2, 0, 0}},
     {"noise_gauss", {{"s", NULL, 1}}, {FC_NOISE_GAUSS, 1, 0, 0}},
@@ -109,6 +111,11 @@ static void what_does_not_fit_is_refused_by_name(void) {
     CHECK_ERROR(FC_E_ARG, "no model");
     CHECK(!arm("random_offset", "value", 1));
     CHECK_ERROR(FC_E_ARG, "model random_offset has no parameter \"value\", but low, high");
+    const char *const near_misses[] = {"constant,c", "constant,", "", ",", "con", "cc"};
+    for (size_t at = 0; at < COUNT(near_misses); at++) {
+        CHECK(!arm("offset", near_misses[at], 1));
+        CHECK_ERROR(FC_E_ARG, "model offset has no parameter");
+    }
     CHECK(!arm("stuck", "value", 1));
     CHECK_ERROR(FC_E_ARG, "model stuck has no parameter \"value\"");
     CHECK(!arm("random_offset", "low", 1));
@@ -150,6 +157,7 @@ static const struct {
     {"extend", {{"count", NULL, 5}, {"byte", NULL, 255}}, "extend", 5},
     {"drop", {{"count", NULL, 3}}, "drop", 3},
     {"drop", {{NULL, NULL, 0}}, "drop", INT64_MAX},
+    {"drop", {{"packets", NULL, 3}}, "drop", 3},
     {"repeat", {{"count", NULL, 2}}, "repeat", 2},
     {"lose", {{NULL, NULL, 0}}, "lose", 0},
     {"repeat_last", {{NULL, NULL, 0}}, "repeat_last", 0},
