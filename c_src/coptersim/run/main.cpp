@@ -104,7 +104,8 @@ int run(const coptersim_run::options &o) {
     if (!load(o, s, error)) {
         return fail(error);
     }
-    coptersim_run::sim_owner sim = coptersim_run::new_simulation(o.threads);
+    coptersim_run::sim_owner sim =
+        coptersim_run::new_simulation(o.threads, o.build.empty() ? nullptr : o.build.c_str());
     if (!sim) {
         return fail(csim_last_error_text());
     }

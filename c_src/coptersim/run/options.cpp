@@ -14,8 +14,11 @@ const char *const help_text =
   --format json|csv     of the trace; default json
   --out FILE            write the trace there instead of to standard output
   --threads N           1 to 64; the result is the same; default 1
+  --build NAME          of the inner loops, one that this machine has (sse2, avx2, ...); the result
+                        is the same; default the fastest
   --set NAME=VALUE      in place of what the scenario says: a gain (pos_p, ...), a parameter,
-                        dt_us, duration_us, its_div, anchor_div, seed, record_every_us; repeatable
+                        configuration, dt_us, duration_us, its_div, anchor_div, seed or
+                        record_every_us; repeatable
   --fail-on-collision   exit with status 3 after a collision
   --replay              also tell on standard error what happens, in real time
   --speed X             of a replay: 2 is twice as fast, 0 does not wait; default 1
@@ -68,6 +71,10 @@ bool take(const std::string &name, const std::string &value, options &o, std::st
         o.settings.push_back(value);
         return true;
     }
+    if (name == "--build") {
+        o.build = value;
+        return !value.empty() || wrong(error, name, "a name");
+    }
     if (name == "--threads") {
         bool good = read_number(value, 1, 64, number) && number == std::floor(number);
         o.threads = good ? static_cast<int>(number) : 1;
@@ -86,8 +93,8 @@ bool take(const std::string &name, const std::string &value, options &o, std::st
 }
 
 bool has_value(const std::string &name) {
-    for (const char *known :
-         {"--format", "--out", "--set", "--threads", "--speed", "--part-ms", "--bisect"}) {
+    for (const char *known : {"--format", "--out", "--set", "--threads", "--build", "--speed",
+                              "--part-ms", "--bisect"}) {
         if (name == known) {
             return true;
         }

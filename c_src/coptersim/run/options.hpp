@@ -19,6 +19,7 @@ struct options {
     bool replay = false;
     bool fail_on_collision = false;
     int threads = 1;
+    std::string build; /* of csim_build_at; empty: the fastest */
     double speed = 1;
     double part_ms = 17;
     std::vector<std::string> settings; /* name=value */

@@ -25,9 +25,10 @@ std::uint64_t next_multiple(std::uint64_t t, std::uint64_t interval) {
 
 } // namespace
 
-sim_owner new_simulation(int threads) {
+sim_owner new_simulation(int threads, const char *build) {
     csim_options options = CSIM_OPTIONS_INIT;
     options.threads = threads;
+    options.build = build;
     return sim_owner(csim_new(&options));
 }
 

@@ -19,8 +19,9 @@ struct sim_free {
 };
 using sim_owner = std::unique_ptr<csim, sim_free>;
 
-/* With so many threads; empty when memory is exhausted or threads is not 1..64. */
-sim_owner new_simulation(int threads);
+/* With so many threads and a build of csim_build_at, NULL the fastest. Empty, and the reason in
+ * csim_last_error_text, when that cannot be. */
+sim_owner new_simulation(int threads, const char *build = nullptr);
 
 /* Who wants to follow a run. Both functions may be empty; neither may change the run. */
 struct observer {

@@ -30,15 +30,6 @@ const std::array<state_name, set_state::count> state_names = {{
     {"e_p", &csim_state::e_p},
 }};
 
-csim_gains default_gains() {
-    csim_gains gains{};
-    gains.pos_p = 0.8;
-    gains.vel_p = 2.0;
-    gains.max_corr = 0.5;
-    gains.max_tilt = 6.0;
-    return gains;
-}
-
 bool gains_change::empty() const {
     for (const std::optional<double> &value : values) {
         if (value) {

@@ -1,6 +1,7 @@
 /* parts.cpp: gains, parameters and copters. */
 #include "parts.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace csim_scenario {
@@ -94,6 +95,18 @@ setting read_setting(const std::string &name, const node &value, const std::stri
     return {name, number};
 }
 
+std::string read_configuration(const node &value, const std::string &where) {
+    const std::string &name = as_text(value, where);
+    std::string names;
+    for (int i = 0; const char *known = csim_configuration_at(i); i++) {
+        if (name == known) {
+            return name;
+        }
+        names += (i == 0 ? "" : " or ") + std::string(known);
+    }
+    throw located_error(value.line, where + ": " + names + " expected");
+}
+
 copter read_copter(members &m) {
     copter c{};
     c.id = m.id("id");
@@ -130,8 +143,9 @@ node value_of(const std::string &text) {
     return value;
 }
 
-void replace_gain(scenario &s, std::size_t index, double number) {
-    s.gains.*gain_names[index].member = number;
+/* Nobody says anything about a gain any more. */
+void forget_gain(scenario &s, std::size_t index) {
+    s.gains.values[index].reset();
     for (copter &c : s.copters) {
         c.gains.values[index].reset();
     }
@@ -144,10 +158,28 @@ void replace_gain(scenario &s, std::size_t index, double number) {
     }
 }
 
+bool override_configuration(scenario &s, const std::string &name, const node &value) {
+    if (name != "configuration") {
+        return false;
+    }
+    s.configuration = read_configuration(value, name);
+    for (std::size_t i = 0; i < gain_count; i++) {
+        forget_gain(s, i);
+    }
+    auto of_params = [](const setting &p) {
+        return p.name != "altitude" && p.name != "integrator" && p.name != "halt_on_collision";
+    };
+    s.settings.erase(std::remove_if(s.settings.begin(), s.settings.end(), of_params),
+                     s.settings.end());
+    return true;
+}
+
 bool override_gain(scenario &s, const std::string &name, const node &value) {
     for (std::size_t i = 0; i < gain_count; i++) {
         if (name == gain_names[i].name) {
-            replace_gain(s, i, read_setting(name, value, name).value);
+            double number = read_setting(name, value, name).value;
+            forget_gain(s, i);
+            s.gains.values[i] = number;
             return true;
         }
     }
@@ -184,7 +216,8 @@ bool override_setting(scenario &s, const std::string &assignment, std::string &e
     std::string name = assignment.substr(0, equals);
     try {
         node value = value_of(assignment.substr(equals + 1));
-        if (!override_gain(s, name, value) && !override_time(s, name, value)) {
+        if (!override_configuration(s, name, value) && !override_gain(s, name, value) &&
+            !override_time(s, name, value)) {
             s.settings.push_back(read_setting(name, value, name));
         }
         return true;

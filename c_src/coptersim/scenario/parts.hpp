@@ -18,6 +18,9 @@ gains_change read_gains_object(const node *value, const std::string &where);
  * switch may be 0 or 1, a choice its number. */
 setting read_setting(const std::string &name, const node &value, const std::string &where);
 
+/* The name of one of csim_configuration_at. */
+std::string read_configuration(const node &value, const std::string &where);
+
 copter read_copter(members &m);
 
 /* The event at events[index], checked against what the library knows of faults. */

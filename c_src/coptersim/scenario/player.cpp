@@ -23,10 +23,14 @@ void player::set_up() {
         return;
     }
     fc_seed(csim_faults(sim_), scenario_.seed);
+    check(csim_configure(sim_, scenario_.configuration.c_str()), "configuration");
     for (const setting &p : scenario_.settings) {
         check(csim_set(sim_, p.name.c_str(), p.value), p.name.c_str());
     }
-    gains_ = scenario_.gains;
+    for (const gain_name &gain : gain_names) {
+        check(csim_get(sim_, gain.name, &(gains_.*gain.member)), gain.name);
+    }
+    scenario_.gains.apply(gains_);
     check(csim_set_gains_all(sim_, &gains_), "gains");
     for (const line &l : scenario_.lines) {
         check(csim_add_line(sim_, l.id, l.x1, l.y1, l.x2, l.y2), "world.lines");

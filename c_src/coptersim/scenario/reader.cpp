@@ -95,6 +95,9 @@ void read_settings(members &top, scenario &s) {
         return;
     }
     members m(*params, "params");
+    if (const node *configuration = m.find("configuration")) {
+        s.configuration = read_configuration(*configuration, m.path("configuration"));
+    }
     for (std::size_t i : m.others()) {
         if (is_gain(m.key(i))) {
             throw located_error(m.value(i).line, m.path(m.key(i)) + ": belongs into gains");
@@ -170,8 +173,7 @@ scenario read_top(const node &root) {
     s.its_div = static_cast<int>(top.whole("its_div", 0, INT32_MAX, 20));
     s.anchor_div = static_cast<int>(top.whole("anchor_div", 0, INT32_MAX, 20));
     s.seed = top.whole("seed", 0, UINT64_MAX, 1);
-    s.gains = default_gains();
-    read_gains_object(top.find("gains"), "gains").apply(s.gains);
+    s.gains = read_gains_object(top.find("gains"), "gains");
     read_settings(top, s);
     read_world(top.find("world"), s);
     read_copters(top.need("copters"), s);

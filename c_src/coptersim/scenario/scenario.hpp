@@ -122,7 +122,8 @@ struct scenario {
     int its_div = 20, anchor_div = 20;
     std::uint64_t seed = 1;
     std::uint64_t record_every_us = 50000;
-    csim_gains gains;              /* of all copters that say nothing else */
+    std::string configuration = "default"; /* of csim_configuration_at */
+    gains_change gains; /* of copters that say nothing else; the rest as in the configuration */
     std::vector<setting> settings; /* in the order of the file */
     std::vector<line> lines;
     std::vector<anchor> anchors;
@@ -135,9 +136,6 @@ struct scenario {
     }
 };
 
-/* The gains that section 5 of docs/coptersim.md gives. */
-csim_gains default_gains();
-
 /* Reads the text of a scenario and checks all of it: ids, parameters, events that name copters
  * that are not there, models and parameters of faults. false: error is one line,
  * "file:line: reason". file is only named. */
@@ -149,7 +147,8 @@ bool read_scenario_file(const std::string &file, scenario &result, std::string &
 
 /* One override "name=value", as from a command line: a gain, a parameter of csim_param_at, dt_us,
  * duration_us, its_div, anchor_div, seed or record_every_us. A gain also replaces what copters and
- * events say about it. false: error says what is wrong. */
+ * events say about it. "configuration=NAME" replaces all that the scenario says about gains and
+ * "params". false: error says what is wrong. */
 bool override_setting(scenario &s, const std::string &assignment, std::string &error);
 
 } // namespace csim_scenario

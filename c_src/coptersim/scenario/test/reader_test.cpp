@@ -54,8 +54,7 @@ void what_is_left_out() {
     CHECK_INT(s.anchor_div, 20);
     CHECK_INT(s.seed, 1);
     CHECK_INT(s.record_every_us, 50000);
-    CHECK(s.gains.pos_p == 0.8 && s.gains.vel_p == 2.0 && s.gains.acc_p == 0);
-    CHECK(s.gains.max_corr == 0.5 && s.gains.max_tilt == 6);
+    CHECK(s.gains.empty() && s.configuration == "default");
     CHECK(s.copters.size() == 1 && s.copters[0].yaw == 0 && s.copters[0].vx == 0);
     CHECK(s.events.empty() && s.lines.empty() && s.settings.empty());
 }
@@ -82,7 +81,7 @@ void everything_that_can_be_said() {
              "{\"t_us\":9,\"type\":\"remove_copter\",\"id\":5}],\n"
              "\"record\":{\"every_us\":25000}"));
     CHECK(s.seed == UINT64_MAX && s.its_div == 1 && s.anchor_div == 5);
-    CHECK(s.record_every_us == 25000 && s.gains.pos_p == 0.5 && s.gains.max_tilt == 3);
+    CHECK(s.record_every_us == 25000 && *s.gains.values[0] == 0.5 && *s.gains.values[10] == 3);
     CHECK(s.settings.size() == 4 && s.settings[0].value == 1.5 && s.settings[1].value == 1);
     CHECK(s.settings[2].value == 0 && s.settings[3].name == "comfort_radius");
     CHECK(s.lines.size() == 1 && s.lines[0].y2 == 4 && s.anchors[0].z == 3);
@@ -151,6 +150,7 @@ void wrong_shape() {
     refuse(with("\"altitude\":\"high\""), 5, "a number expected");
     refuse(with("\"params\":{\"comfort\":1}"), 5, "params.comfort: unknown parameter");
     refuse(with("\"params\":{\"comfort_radius\":-1}"), 5, "from 0 to");
+    refuse(with("\"params\":{\"configuration\":\"\"}"), 5, "default or hardened expected");
     refuse(with("\"params\":{\"pos_p\":1}"), 5, "belongs into gains");
     refuse(with("\"gains\":{\"pos_q\":1}"), 5, "gains.pos_q: unknown");
 }
@@ -213,13 +213,18 @@ void too_many() {
 void overrides() {
     std::string error;
     scenario s = accept(with("\"events\":[{\"t_us\":5,\"type\":\"gains\",\"pos_p\":2}]"));
-    CHECK(csim_scenario::override_setting(s, "pos_p=1.5", error) && s.gains.pos_p == 1.5);
+    CHECK(csim_scenario::override_setting(s, "pos_p=1.5", error));
+    CHECK(*s.gains.values[0] == 1.5);
     CHECK(std::get<csim_scenario::change_gains>(s.events[0].what).gains.empty());
     CHECK(csim_scenario::override_setting(s, "its_div=7", error) && s.its_div == 7);
     CHECK(csim_scenario::override_setting(s, "integrator=euler", error));
     CHECK(s.settings.size() == 1 && s.settings[0].value == 2);
-    for (const char *bad : {"pos_p", "=1", "pos_p=", "pos_p=x", "nothing=1", "its_div=-1",
-                            "its_div=1.5", "integrator=rk4", "comfort_radius=[1]"}) {
+    CHECK(csim_scenario::override_setting(s, "comfort_radius=1", error));
+    CHECK(csim_scenario::override_setting(s, "configuration=hardened", error));
+    CHECK(s.configuration == "hardened" && s.settings.size() == 1 && s.gains.empty());
+    for (const char *bad :
+         {"pos_p", "=1", "pos_p=", "pos_p=x", "nothing=1", "its_div=-1", "its_div=1.5",
+          "integrator=rk4", "configuration=x", "comfort_radius=[1]"}) {
         error.clear();
         CHECK(!csim_scenario::override_setting(s, bad, error) && !error.empty());
     }
