@@ -15,6 +15,7 @@ stages=(
   "erlang:scripts/stages/erlang.sh"
   "properties:scripts/stages/properties.sh"
   "programs:scripts/stages/scripts.sh"
+  "machines:scripts/stages/machines.sh"
   "sanitizers:scripts/stages/native.sh asan"
   "threads:scripts/stages/native.sh tsan"
   "embedded:scripts/stages/embedded.sh"

@@ -48,13 +48,30 @@ void check_name(const node &value, const std::string &where, const std::string &
                                         "simulation; known, % a number: " + known);
 }
 
+/* NULL when the model or its parameter is unknown, which is found out when it is armed. */
+const fc_parameter *find_parameter(const fault &f, const std::string &name) {
+    const fc_parameter *parameter = nullptr;
+    for (int i = 0; (parameter = fc_model_parameter(f.of_channel, f.model.c_str(), i)) != nullptr;
+         i++) {
+        if (name == parameter->name || (parameter->other != nullptr && name == parameter->other)) {
+            break;
+        }
+    }
+    return parameter;
+}
+
 /* JSON has no infinities and no NaN, so they are texts. */
-fault_argument read_argument(const std::string &name, const node &value, const std::string &where) {
+fault_argument read_argument(const fault &f, const std::string &name, const node &value,
+                             const std::string &where) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (value.kind != node::text) {
         return {name, std::nullopt, as_number(value, where)};
     }
     const std::string &text = as_text(value, where);
+    const fc_parameter *parameter = find_parameter(f, name);
+    if (parameter != nullptr && parameter->takes == FC_TAKES_TEXT) {
+        return {name, text, 0};
+    }
     if (text == "inf" || text == "-inf") {
         return {name, std::nullopt, text == "inf" ? infinity : -infinity};
     }
@@ -104,14 +121,17 @@ fault read_fault(members &m, bool of_channel, const std::string &where) {
     if (const node *duration = m.find("duration_us")) {
         f.duration_us = as_whole(*duration, m.path("duration_us"), 0, largest_whole);
     }
-    if (const node *probability = m.find("probability")) {
+    const node *probability = m.find("probability");
+    if (probability != nullptr && find_parameter(f, "probability") != nullptr) {
+        f.arguments.push_back(read_argument(f, "probability", *probability, m.path("probability")));
+    } else if (probability != nullptr) {
         f.probability = as_number(*probability, m.path("probability"));
     }
     if (const node *seed = m.find("seed")) {
         f.seed = as_whole(*seed, m.path("seed"), 0, UINT64_MAX);
     }
     for (std::size_t i : m.others()) {
-        f.arguments.push_back(read_argument(m.key(i), m.value(i), m.path(m.key(i))));
+        f.arguments.push_back(read_argument(f, m.key(i), m.value(i), m.path(m.key(i))));
     }
     if (of_channel) {
         translate_packet_model(f);
