@@ -7,7 +7,7 @@ namespace coptersim_run {
 namespace {
 
 constexpr int scan_steps = 16;
-constexpr int halvings = 20;
+constexpr int halvings = 10;
 
 class trials {
   public:

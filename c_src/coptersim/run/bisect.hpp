@@ -16,7 +16,7 @@ struct bisection {
 };
 
 /* Tries 17 values from low to high in equal steps up to the first that survives, then halves the
- * step before it 20 times, or down to neighbours when only whole numbers make sense. Surviving
+ * step before it 10 times, or down to neighbours when only whole numbers make sense. Surviving
  * values below that lie between two tried ones are not found. A line per run to `to`. false:
  * error is one line. */
 bool bisect(csim *sim, const csim_scenario::scenario &s, const search_range &range,

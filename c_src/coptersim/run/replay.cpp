@@ -111,8 +111,8 @@ void replay::tell_status(const csim *sim) const {
         overridden += station.active;
         error = std::max(error, station.max_pos_error);
     }
-    std::fprintf(to_, "%10.3f s  %d copters, %d avoiding, largest position error so far %.3f m",
-                 seconds(csim_time(sim)), columns.count, overridden, error);
+    std::fprintf(to_, "%10.3f s  avoiding: %d of %d, largest position error so far %.3f m",
+                 seconds(csim_time(sim)), overridden, columns.count, error);
     csim_closeness closest;
     if (csim_closest(sim, &closest) == CSIM_OK && std::isfinite(closest.value)) {
         std::fprintf(to_, ", smallest gap %.3f m (%s)", closest.value,

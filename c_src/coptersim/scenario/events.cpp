@@ -81,15 +81,6 @@ fault_argument read_argument(const fault &f, const std::string &name, const node
     return {name, text, 0};
 }
 
-/* Section 13's names of packet faults, in the library's words. */
-void translate_packet_model(fault &f) {
-    if (f.model == "bitflip") {
-        f.model = "corruption";
-    } else if (f.model == "drop" && f.arguments.empty()) {
-        f.model = "lose";
-    }
-}
-
 /* What the library thinks of it, found out in a context that is thrown away. */
 void check_fault(const fault &f, int line, const std::string &where) {
     fc_options options = FC_OPTIONS_INIT;
@@ -132,9 +123,6 @@ fault read_fault(members &m, bool of_channel, const std::string &where) {
     }
     for (std::size_t i : m.others()) {
         f.arguments.push_back(read_argument(f, m.key(i), m.value(i), m.path(m.key(i))));
-    }
-    if (of_channel) {
-        translate_packet_model(f);
     }
     check_fault(f, m.line(), where);
     return f;

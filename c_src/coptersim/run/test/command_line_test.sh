@@ -67,7 +67,7 @@ says '--bisect NAME=LOW:HIGH' out
 # Replay tells events and the end.
 expect 0 "$run" --replay --speed 1000 "$collision"
 says ' 0\.500 s  copter 0: roll 0\.3' err
-says 'fault lose on ITS_DATA0' err
+says 'fault drop on ITS_DATA0' err
 says 'collision of copters 0 and 1 at' err
 
 # Overrides and the search for the smallest value that survives.

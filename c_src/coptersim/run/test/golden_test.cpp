@@ -5,7 +5,7 @@
  * Given the 20 scenarios, when they are read, run in this process and written as a trace, then the
  * trace agrees with the recorded one as far as `compare` says, and the program COPTERSIM_RUN writes
  * the same bytes. */
-#include "recorded_run.hpp"
+#include "trace_of.hpp"
 
 #include "../../test/check.h"
 #include "../../test/gzip_file.h"
@@ -92,24 +92,6 @@ void compare_outcome(const json &got, const json &expected, std::uint64_t dt_us)
     }
 }
 
-std::string run_here(const std::string &text, const std::string &name) {
-    csim_scenario::scenario s;
-    std::string error, trace;
-    if (!csim_scenario::read_scenario(text, name, s, error)) {
-        std::fprintf(stderr, "%s\n", error.c_str());
-        return "";
-    }
-    coptersim_run::sim_owner sim = coptersim_run::new_simulation(1);
-    std::optional<csim_trace::trace> recorded =
-        coptersim_run::recorded_run(sim.get(), s, {}, error);
-    if (!recorded) {
-        std::fprintf(stderr, "%s: %s\n", name.c_str(), error.c_str());
-        return "";
-    }
-    csim_trace::write_json(*recorded, [&trace](std::string_view part) { trace += part; });
-    return trace;
-}
-
 std::string contents(const std::string &file) {
     std::ifstream in(file, std::ios::binary);
     std::ostringstream all;
@@ -138,7 +120,8 @@ void replay(const json &entry, const std::string &program) {
     std::string name = scenario["name"], text = scenario.dump();
     std::uint64_t until_us = compare["until_us"];
     double tolerance = compare["tolerance"];
-    std::string written = run_here(text, name);
+    coptersim_run::sim_owner sim = coptersim_run::new_simulation(1);
+    std::string written = trace_of(sim.get(), text, name);
     if (written.empty()) {
         check_failures++;
         return;
