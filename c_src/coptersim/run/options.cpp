@@ -28,7 +28,7 @@ const char *const help_text =
                         collision, and print every run
   --help
 
-Formats: docs/coptersim.md. Exit status: 0 done, also after a collision; 1 --bisect found no value;
+Formats: docs/copter_scenarios.md. Exit status: 0 done, also after a collision; 1 --bisect found no value;
 2 wrong command line or scenario, or the trace cannot be written; 3 collision and
 --fail-on-collision; 130 interrupted.
 )";

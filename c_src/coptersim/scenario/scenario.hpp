@@ -1,4 +1,4 @@
-/* scenario.hpp: what a file of the format coptersim-scenario/1 says (docs/coptersim.md), and
+/* scenario.hpp: what a file of the format coptersim-scenario/1 says (docs/copter_scenarios.md), and
  * reading one. Units as in csim.h: metres, degrees, microseconds. */
 #ifndef CSIM_SCENARIO_HPP
 #define CSIM_SCENARIO_HPP

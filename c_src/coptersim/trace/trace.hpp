@@ -1,5 +1,5 @@
 /* trace.hpp: samples of a simulation over time, written in the format coptersim-trace/1 or as
- * lines of comma-separated values (docs/coptersim.md). */
+ * lines of comma-separated values (docs/copter_scenarios.md). */
 #ifndef CSIM_TRACE_HPP
 #define CSIM_TRACE_HPP
 

@@ -109,6 +109,6 @@ int main(int argc, char **argv) {
         std::printf("%-18s %s\n", name.c_str(), same ? "same bytes" : "differs");
         CHECK(same);
     }
-    CHECK_INT(driven, 9);
+    CHECK_INT(driven, 10);
     return CHECK_RESULT();
 }
