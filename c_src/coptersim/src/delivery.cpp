@@ -9,7 +9,7 @@ namespace coptersim {
 
 namespace {
 
-constexpr int kMostGets = 1000; // of one channel at a time, besides those of queued packets
+constexpr int kMostGets = 64; // of one channel at a time, besides those of queued packets
 constexpr std::uint64_t kPlausibleAge = 500000; // us
 
 Heard heard_of(const StateColumns &belief, std::size_t i, std::uint64_t stamp) {
