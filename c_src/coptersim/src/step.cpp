@@ -10,7 +10,7 @@ namespace coptersim {
 
 namespace {
 
-constexpr std::size_t kPart = 64;               // copters that are worth a thread
+constexpr std::size_t kPart = 32;               // copters that are worth a thread
 constexpr std::uint64_t kLongestLists = 200000; // us, that lists are made for
 
 struct Range {

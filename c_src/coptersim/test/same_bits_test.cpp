@@ -75,11 +75,11 @@ void check_world(std::uint64_t seed, int copters) {
 
 void check_threads(std::uint64_t seed) {
     WorldOptions options;
-    options.copters = 200;
+    options.copters = 100;
     const RandomWorld world(seed, options);
     const std::uint64_t expected = world.run(make().get());
     CHECK(same(seed, "three threads", expected, world.run(make(false, 3).get())));
-    CHECK(same(seed, "all pairs of 200", expected, world.run(make(true, 2).get())));
+    CHECK(same(seed, "all pairs of 100, two threads", expected, world.run(make(true, 2).get())));
 }
 
 // Without faults, whose random streams depend on names, ids matter by their order alone.
@@ -100,7 +100,6 @@ int main(int argc, char **argv) {
         check_world(static_cast<std::uint64_t>(seed), 2 + seed % 13);
         check_ids(static_cast<std::uint64_t>(seed));
     }
-    check_world(1000, 70);
     check_threads(2000);
     return CHECK_RESULT();
 }
