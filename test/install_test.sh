@@ -68,7 +68,7 @@ exports_what_is_declared() { # exports_what_is_declared LIB PREFIX: names that b
     grep -oE "[A-Z0-9]+_API [^;(]*[ *]($2)[A-Za-z0-9_]+\(" | grep -oE "[A-Za-z0-9_]+\($" | tr -d '(' | sort -u)
   [ "$(wc -l <<<"$declared")" -ge 10 ] && diff <(echo "$declared") <(echo "$exported")
 }
-for library in "libfaultcheck fc_|faultcheck_" "libe2e E2E_|Crc_"; do
+for library in "libfaultcheck fc_|faultcheck_" "libe2e E2E_|Crc_" "libcoptersim csim_|coptersim_"; do
   check "${library% *} is versioned" versioned "${library% *}"
   check "${library% *} exports what its headers declare" exports_what_is_declared "${library% *}" "${library#* }"
 done
@@ -91,8 +91,27 @@ cmake_minimum_required(VERSION 3.25)
 project(probe C)
 find_package(faultcheck REQUIRED)
 find_package(e2e REQUIRED)
+find_package(coptersim REQUIRED)
 add_executable(probe probe.c)
 target_link_libraries(probe PRIVATE faultcheck::faultcheck e2e::e2e)
+add_executable(flight flight.c)
+target_link_libraries(flight PRIVATE coptersim::coptersim)
+C
+cat >"$here/home/c/flight.c" <<'C'
+#include <coptersim_wrapper.h>
+#include <stdio.h>
+int main(void) {
+    /* Half a tilt forwards for a second, in steps of a millisecond. */
+    CONTROL_INPUT_t command = {0, 0.5, 0, 0};
+    csim_state state;
+    coptersim_addCopter(3, 4, 7);
+    coptersim_setControlInput(7, command);
+    coptersim_runIterations(1000, 1000, 50, 50);
+    if (csim_get_state(csim_default(), 7, CSIM_TRUE, &state) != CSIM_OK)
+        return 1;
+    printf("moved %d\n", state.px != 3 || state.py != 4);
+    return 0;
+}
 C
 check "a C program finds both libraries with CMake" exits 0 '^10$' \
   'cmake -S c -B c/build -DCMAKE_PREFIX_PATH='"$here"'/moved >/dev/null && cmake --build c/build >/dev/null &&
@@ -100,6 +119,10 @@ check "a C program finds both libraries with CMake" exits 0 '^10$' \
 check "and with pkg-config" exits 0 '^10$' \
   'export PKG_CONFIG_PATH='"$here"'/moved/lib/pkgconfig LD_LIBRARY_PATH='"$here"'/moved/lib
    gcc c/probe.c $(pkg-config --cflags --libs faultcheck e2e) -o c/probe && c/probe'
+check "a C program flies a copter" exits 0 '^moved 1$' 'c/build/flight'
+check "also with pkg-config" exits 0 '^moved 1$' \
+  'export PKG_CONFIG_PATH='"$here"'/moved/lib/pkgconfig LD_LIBRARY_PATH='"$here"'/moved/lib
+   gcc c/flight.c $(pkg-config --cflags --libs coptersim) -o c/flight && c/flight'
 
 # The embedded profile: as a library for the host, and as source for firmware.
 mkdir "$here/home/embedded" && chmod a+rwx "$here/home/embedded"

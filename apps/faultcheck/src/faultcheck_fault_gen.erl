@@ -16,10 +16,11 @@
 -spec fault() -> faultcheck_proper:type().
 fault() -> type(fun(Size) -> with_trigger(random_model(any_class(), f64, #{}, Size), Size) end).
 
-%% @doc The faults of section 2, for probes of any type or of one.
+%% @doc The plain faults of probes (docs/faultcheck.md, 2), for values of any type.
 -spec probe() -> faultcheck_proper:type().
 probe() -> probe(any).
 
+%% @doc The same for values of one type.
 -spec probe(faultcheck_fault:value_type() | any) -> faultcheck_proper:type().
 probe(Type) -> of_class(probe, Type, #{}).
 
@@ -27,6 +28,7 @@ probe(Type) -> of_class(probe, Type, #{}).
 -spec sensor() -> faultcheck_proper:type().
 sensor() -> sensor(any).
 
+%% @doc The same for values of one type.
 -spec sensor(faultcheck_fault:value_type() | any) -> faultcheck_proper:type().
 sensor(Type) -> of_class(sensor, Type, #{}).
 
@@ -38,6 +40,7 @@ value(Type) -> of_class([probe, sensor], Type, #{}).
 -spec communication() -> faultcheck_proper:type().
 communication() -> communication(#{}).
 
+%% @doc The same among channels and receivers of those names.
 -spec communication(names()) -> faultcheck_proper:type().
 communication(Names) -> of_class(communication, any, Names).
 

@@ -53,7 +53,7 @@ table() ->
         {start_size, undefined, non_neg_integer, undefined, pair, "size of the first test"},
         {max_size, undefined, non_neg_integer, undefined, pair, "largest size of a test"},
         {max_shrinks, undefined, non_neg_integer, undefined, pair,
-            "most successful shrinking steps"},
+            "successful shrinking steps, at most"},
         {noshrink, undefined, boolean, undefined, flag, "do not shrink"},
         {constraint_tries, undefined, pos_integer, undefined, pair,
             "tries to satisfy a ?SUCHTHAT"},

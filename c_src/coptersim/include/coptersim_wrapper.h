@@ -12,14 +12,15 @@
 extern "C" {
 #endif
 
-/* m. Only px and py are used. */
+/* A place; pz is always 0. */
 typedef struct {
-    double px, py, pz;
+    double px, py, pz; /* m, world */
 } POINT_t;
 
-/* -1..1; throttle 0..1. */
+/* The pilot's command. */
 typedef struct {
-    double rollCmd, pitchCmd, yawCmd, throttleCmd;
+    double rollCmd, pitchCmd, yawCmd; /* -1..1 */
+    double throttleCmd;               /* 0..1 */
 } CONTROL_INPUT_t;
 
 /* At rest and level at (px, py), in m, heading along +x. */

@@ -38,14 +38,14 @@ typedef enum {
 
 /* The receiver's state: one for each stream of packets. */
 typedef struct {
-    uint8 LastValidCounter;   /* of the last valid packet */
-    uint8 MaxDeltaCounter;    /* accepted now: one more for each check without a valid packet */
-    boolean WaitForFirstData; /* until the first valid packet */
-    boolean NewDataAvailable; /* set by the caller before each check */
-    uint8 LostData;           /* packets missed; meaningful with OK and OKSOMELOST only */
+    uint8 LastValidCounter;           /* of the last valid packet */
+    uint8 MaxDeltaCounter;            /* accepted now; grows by one with each check */
+    boolean WaitForFirstData;         /* until the first valid packet */
+    boolean NewDataAvailable;         /* set by the caller before each check */
+    uint8 LostData;                   /* packets missed; meaningful with OK and OKSOMELOST only */
     E2E_P02CheckStatusType Status;    /* of the last check */
     uint8 SyncCounter;                /* valid packets still needed to leave SYNC */
-    uint8 NoNewOrRepeatedDataCounter; /* checks in succession without new data */
+    uint8 NoNewOrRepeatedDataCounter; /* checks without new data or with old */
 } E2E_P02CheckStateType;
 
 /* Say whether a configuration is one the standard describes: DataLength and Offset multiples of 8,
