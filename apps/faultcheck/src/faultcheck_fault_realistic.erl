@@ -1,5 +1,5 @@
-%% @doc The realistic faults of a vehicle that locates itself by ranging (Paper III, section 2.2), as
-%% terms: a section of docs/faults.md, made by markdown/0.
+%% @doc The realistic faults of a vehicle that locates itself by ranging (Paper III, section 2.2)
+%% as terms: a section of docs/faults.md, made by markdown/0.
 %%
 %% The terms stand at one point of their range; c_src/faultcheck/test/realistic_fault_test.c shows
 %% what each of them does in simulated time.
