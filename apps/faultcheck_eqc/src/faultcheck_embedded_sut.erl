@@ -20,7 +20,7 @@
 %% </ul>
 -module(faultcheck_embedded_sut).
 
--export([prepare/0, stop/0, command/1, add/5, set_enabled/1, clear/0, reset/0, listing/0, probe/3]).
+-export([prepare/0, add/5, set_enabled/1, clear/0, reset/0, listing/0, probe/3]).
 -export([bits/1]).
 -export_type([type/0]).
 
@@ -28,7 +28,7 @@
 -type type() :: i32 | f32.
 
 %% What libfaultcheck is to be told again, in a fault's own terms.
--record(armed, {id :: binary(), fault :: pos_integer(), start :: integer(), duration :: integer()}).
+-record(armed, {fault :: pos_integer(), start :: integer(), duration :: integer()}).
 -record(main, {enabled = false :: boolean(), calls = #{} :: #{binary() => non_neg_integer()},
                armed = [] :: [#armed{}]}).
 
@@ -39,14 +39,7 @@ prepare() ->
     ok = cb:call(lib(), fi_init, []),
     main(#main{}).
 
-%% @doc Ends the embedded one; libfaultcheck is that of faultcheck_eqc_sut.
--spec stop() -> ok.
-stop() ->
-    case erase(?MODULE) of
-        undefined -> ok;
-        Lib -> cb:stop(Lib)
-    end.
-
+%% The embedded one is an instance of the calling process and ends with it, as libfaultcheck does.
 lib() ->
     case get(?MODULE) of
         undefined ->
@@ -73,8 +66,7 @@ main(Main) ->
 
 main() -> get({?MODULE, main}).
 
-%% @doc The reply lines to a command of the embedded profile alone.
--spec command(iodata()) -> [binary()].
+%% The reply lines to a command of the embedded profile alone.
 command(Line) ->
     Text = cb:cstring(lib(), cb:call(lib(), fi_run, [iolist_to_binary(Line)])),
     [<<>> | Lines] = lists:reverse(binary:split(Text, <<"\n">>, [global])),
@@ -105,7 +97,7 @@ arm(Id, Model, Start, Duration, #main{armed = Armed, enabled = Enabled} = Main0)
     Fault = faultcheck_eqc_sut:add(a, {probe, Id}, Model),
     ok = trigger(Fault, Start, Duration),
     'FC_OK' = faultcheck_eqc_sut:enable(a, Fault, Enabled),
-    Main#main{armed = [#armed{id = Id, fault = Fault, start = Calls + Start, duration = Duration} |
+    Main#main{armed = [#armed{fault = Fault, start = Calls + Start, duration = Duration} |
                        Armed]}.
 
 %% The identifier's calls are counted from its first fault on.
