@@ -19,16 +19,15 @@
  * the faults and frees their probes; the switch stays. fi_reset_cnt sets the counters to 0 but not
  * the numbers of the faults' first calls, so that a fault used up comes again.
  *
- * Threads  Lines come from one thread at a time; a probe of one identifier is called by one thread
- *          or interrupt at a time. They may interrupt each other: a probe call sees a fault whole
- * or not at all. Only a call that is interrupted by fi_clear_faults and then by the adding of
- *          another identifier may be counted for that one.
+ * Threads  One at a time sends lines; one at a time calls the probe of an identifier. They may
+ *          interrupt each other: a call sees a fault whole or not at all. Only a call during which
+ *          its fault is cleared and another identifier added may be counted for that one.
  * Errors   A command does what it says and replies `ok`, or changes nothing and replies `error`. */
 #ifndef FI_H
 #define FI_H
 #include <stdbool.h>
-/* Limits, to be set on the command line. RAM: FI_PROBES * (FI_ID_BYTES + 12 + 20 * FI_FAULTS) + 8.
- */
+
+/* Limits, for the command line. RAM: FI_PROBES * (FI_ID_BYTES + 12 + 20 * FI_FAULTS) + 8 bytes. */
 #ifndef FI_PROBES
 #define FI_PROBES 5 /* identifiers with faults */
 #endif
