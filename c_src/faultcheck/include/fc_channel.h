@@ -60,7 +60,7 @@ typedef struct {
 FC_API fc_fault_id fc_channel_add_field(fc_context *ctx, const char *channel, const fc_field *field,
                                         const fc_model *model);
 
-/* Cut to at most `bytes`, append `count` times `byte`. */
+/* Cut to at most `bytes`, append `count` times `byte`. FC_E_ARG from 2^63 on. */
 FC_API fc_fault_id fc_channel_add_truncate(fc_context *ctx, const char *channel, size_t bytes);
 FC_API fc_fault_id fc_channel_add_extend(fc_context *ctx, const char *channel, size_t count,
                                          unsigned char byte);

@@ -48,10 +48,11 @@ typedef struct {
 typedef void (*fc_list_fn)(void *user, const fc_listed *listed);
 
 /* Every identifier and channel seen or armed since fc_new or fc_reset, sorted by name, probes
- * before channels of the same name. FC_OK, FC_E_NOMEM. */
+ * before channels of the same name. FC_OK, FC_E_NOMEM; FC_E_ARG for visit NULL. */
 FC_API int fc_list(fc_context *ctx, fc_list_fn visit, void *user);
 
-/* The same as one JSON object a line. FC_OK; FC_E_NOMEM, perhaps after some of the lines. */
+/* The same as one JSON object a line. FC_OK; FC_E_ARG for line NULL; FC_E_NOMEM, perhaps after some
+ * of the lines. */
 FC_API int fc_dump_json(fc_context *ctx, fc_line_fn line, void *user);
 
 /* Calls of idle identifiers are counted only while this is on: otherwise an idle probe is one load.

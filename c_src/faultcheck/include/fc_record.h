@@ -33,13 +33,14 @@ FC_API int fc_record_start(fc_context *ctx, const char *file);
  */
 FC_API int fc_record_stop(fc_context *ctx);
 
-/* The recording in memory, under way or stopped: copies at most capacity bytes to data and returns
- * the length of all of it. 0 when there is none. */
+/* The recording in memory, under way or stopped: copies at most capacity bytes to data, none if it
+ * is NULL, and returns the length of all of it. 0 when there is none. */
 FC_API size_t fc_record_copy(fc_context *ctx, void *data, size_t capacity);
 
 /* The text form of a recording: line is called with one JSON object each, floats in C99
- * hexadecimal, bytes in hexadecimal. FC_OK; FC_E_FORMAT (fc_last_error_text() names the position)
- * or FC_E_NOMEM, after the lines up to there. */
+ * hexadecimal, bytes in hexadecimal. FC_OK; FC_E_ARG for recording NULL with len > 0 or line NULL;
+ * FC_E_FORMAT (fc_last_error_text() names the position) or FC_E_NOMEM, after the lines up to there.
+ */
 typedef void (*fc_line_fn)(void *user, const char *line);
 FC_API int fc_record_text(const void *recording, size_t len, fc_line_fn line, void *user);
 
@@ -65,8 +66,8 @@ typedef struct {
 
 /* Compare by identifier and call number the values after the faults. visit is called for each
  * identifier that differs, in the order of the first divergences in the run: the way the error
- * propagated. tolerance NULL: none. NaN equals NaN. Returns how many differ, FC_E_FORMAT or
- * FC_E_NOMEM. */
+ * propagated. tolerance NULL: none. NaN equals NaN. Returns how many differ; FC_E_ARG for visit or
+ * a recording NULL, or a tolerance that is not a number >= 0; FC_E_FORMAT; FC_E_NOMEM. */
 typedef void (*fc_divergence_fn)(void *user, const fc_divergence *divergence);
 FC_API int fc_compare(const void *golden, size_t golden_len, const void *run, size_t run_len,
                       const fc_tolerance *tolerance, fc_divergence_fn visit, void *user);

@@ -1,6 +1,7 @@
 // The faults on channels of fc_channel.h.
 #include "arming.h"
 
+#include <cstring>
 #include <new>
 #include <stdexcept>
 
@@ -57,10 +58,18 @@ fc_fault_id add_name(fc_context *ctx, const char *channel, ChannelModelKind kind
                [&](ChannelModel &model) { model.text = name == nullptr ? "" : name; });
 }
 
+// A caller in C may have put any number there, which must not be read as the enumeration then.
+bool has_type(const fc_field &field) {
+    static_assert(sizeof field.type == sizeof(int), "an enumeration is an int");
+    int type;
+    std::memcpy(&type, &field.type, sizeof type);
+    return type >= FC_F32 && type <= FC_BYTES;
+}
+
 Refusal check_field(const fc_field *field, const fc_model *model) {
     if (model == nullptr)
         return {FC_E_ARG, "the model is NULL"};
-    if (field != nullptr && (static_cast<int>(field->type) < FC_F32 || field->type > FC_BYTES))
+    if (field != nullptr && !has_type(*field))
         return {FC_E_ARG, "the field has no such type"};
     Refusal refusal;
     refusal.code = fc::check_model(*model, &refusal.why);

@@ -54,6 +54,8 @@ extern "C" {
 
 int fc_list(fc_context *ctx, fc_list_fn visit, void *user) {
     fc_context &context = fc::context_of(ctx);
+    if (visit == nullptr)
+        return fc::report(context, FC_E_ARG, fc::format("fc_list: visit is NULL"));
     return fc::guarded(context, [&]() -> int {
         const fc::Listing listing(context);
         for (const fc::Listed &listed : listing.all())
@@ -64,6 +66,8 @@ int fc_list(fc_context *ctx, fc_list_fn visit, void *user) {
 
 int fc_dump_json(fc_context *ctx, fc_line_fn line, void *user) {
     fc_context &context = fc::context_of(ctx);
+    if (line == nullptr)
+        return fc::report(context, FC_E_ARG, fc::format("fc_dump_json: line is NULL"));
     return fc::guarded(context, [&]() -> int {
         const fc::Listing listing(context);
         for (const fc::Listed &listed : listing.all())

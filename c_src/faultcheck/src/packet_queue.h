@@ -71,14 +71,17 @@ class PacketQueue {
         if (count_ + more > ring_.size())
             grow(count_ + more);
     }
-    // After reserve: cannot fail.
+    // After reserve: cannot fail. Copies that nobody will live to take are not counted.
     void push_front(QueuedPacket &&packet) noexcept {
+        const std::uint64_t copies = std::min(packet.copies, kMostDepth - depth_);
+        if (copies == 0)
+            return;
         head_ = (head_ - 1) & (ring_.size() - 1);
         ring_[head_].bytes.swap(packet.bytes);
-        ring_[head_].copies = packet.copies;
+        ring_[head_].copies = copies;
         ring_[head_].hiding = packet.hiding;
         ++count_;
-        depth_ += packet.copies;
+        depth_ += copies;
     }
 
     // packets <= depth()
@@ -118,6 +121,8 @@ class PacketQueue {
         return ring_[(head_ + position) & (ring_.size() - 1)];
     }
 
+    // What fc_channel_depth can tell.
+    static constexpr std::uint64_t kMostDepth = std::numeric_limits<std::int64_t>::max();
     // More than a std::string holds within itself: then packets change hands by swapping pointers.
     static constexpr std::size_t kLeastBuffer = 32;
 

@@ -66,6 +66,10 @@ int report_format(const RecordingReader &reader, const char *which) {
                   format("%s, byte %zu: %s", which, reader.position(), reader.error()));
 }
 
+int refuse(const char *why) {
+    return report(context_of(nullptr), FC_E_ARG, format("%s", why));
+}
+
 } // namespace
 
 } // namespace fc
@@ -73,6 +77,10 @@ int report_format(const RecordingReader &reader, const char *which) {
 extern "C" {
 
 int fc_record_text(const void *recording, size_t len, fc_line_fn line, void *user) {
+    if (recording == nullptr && len > 0)
+        return fc::refuse("fc_record_text: recording is NULL");
+    if (line == nullptr)
+        return fc::refuse("fc_record_text: line is NULL");
     return fc::guarded(fc::context_of(nullptr), [&]() -> int {
         fc::RecordingReader reader(recording, len);
         fc::RecordedCall call;
@@ -84,6 +92,12 @@ int fc_record_text(const void *recording, size_t len, fc_line_fn line, void *use
 
 int fc_compare(const void *golden, size_t golden_len, const void *run, size_t run_len,
                const fc_tolerance *tolerance, fc_divergence_fn visit, void *user) {
+    if ((golden == nullptr && golden_len > 0) || (run == nullptr && run_len > 0))
+        return fc::refuse("fc_compare: a recording is NULL");
+    if (visit == nullptr)
+        return fc::refuse("fc_compare: visit is NULL");
+    if (tolerance != nullptr && !(tolerance->absolute >= 0 && tolerance->relative >= 0))
+        return fc::refuse("fc_compare: the tolerances must be numbers >= 0");
     return fc::guarded(fc::context_of(nullptr), [&]() -> int {
         fc::RecordingReader first(golden, golden_len);
         fc::RecordingReader second(run, run_len);

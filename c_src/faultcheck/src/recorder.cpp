@@ -66,7 +66,7 @@ std::size_t Recorder::copy(void *data, std::size_t capacity) const {
     if (end_ == nullptr || file_ != nullptr)
         return 0;
     const auto size = static_cast<std::size_t>(end_ - buffer_.get());
-    if (const std::size_t part = std::min(size, capacity); part > 0)
+    if (const std::size_t part = std::min(size, capacity); part > 0 && data != nullptr)
         std::memcpy(data, buffer_.get(), part);
     return size;
 }

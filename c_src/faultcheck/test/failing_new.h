@@ -15,6 +15,8 @@ long fail_at = -1; // the allocation that fails, counted from now; -1: none
 
 void *allocate(std::size_t size, std::size_t alignment) {
     ++allocations;
+    if (size > std::size_t{1} << 40)
+        throw std::bad_alloc();
     if (fail_at >= 0 && fail_at-- == 0)
         throw std::bad_alloc();
     void *memory = nullptr;
@@ -22,6 +24,14 @@ void *allocate(std::size_t size, std::size_t alignment) {
                        size == 0 ? 1 : size) != 0)
         throw std::bad_alloc();
     return memory;
+}
+
+void *allocate_or_null(std::size_t size) {
+    try {
+        return allocate(size, 16);
+    } catch (const std::bad_alloc &) {
+        return nullptr;
+    }
 }
 
 } // namespace
@@ -37,6 +47,12 @@ void *operator new(std::size_t size, std::align_val_t alignment) {
 }
 void *operator new[](std::size_t size, std::align_val_t alignment) {
     return allocate(size, static_cast<std::size_t>(alignment));
+}
+void *operator new(std::size_t size, const std::nothrow_t &) noexcept {
+    return allocate_or_null(size);
+}
+void *operator new[](std::size_t size, const std::nothrow_t &) noexcept {
+    return allocate_or_null(size);
 }
 void operator delete(void *memory) noexcept {
     std::free(memory);
