@@ -70,6 +70,8 @@ search(Mod, Given) ->
     end).
 
 begun(Mod, #{bias := Bias, plain_share := Plain, strategy := Strategy} = Options) ->
+    %% What a test begins with may also say what is generated.
+    _ = undisturbed(maps:get(begin_test, Options)),
     Info = faultcheck_model:info(Mod),
     Strategy =:= random orelse faultcheck_model:has_objective(Info) orelse
         error({no_objective, Mod, "a guided search needs objective(State) of the model"}),
@@ -250,9 +252,7 @@ refs(Runs) -> lists:append([faultcheck_search_run:refs(Run) || Run <- Runs]).
 run(_Sequence, _Parent, #search{runs = Runs, options = #{max_runs := Runs}} = Search) ->
     ended(not_found, Search#search.best, Search);
 run(Sequence, Parent, #search{mod = Mod, options = Options, runs = Runs} = Search) ->
-    Random = rand:export_seed(),
-    Run = faultcheck_search_run:new(Mod, Sequence, Parent, Options),
-    _ = rand:seed(Random),
+    Run = undisturbed(fun() -> faultcheck_search_run:new(Mod, Sequence, Parent, Options) end),
     #{outcome := Outcome, elapsed := Elapsed, simulated := Simulated} = Run,
     Next = Search#search{
         runs = Runs + 1,
@@ -266,6 +266,13 @@ run(Sequence, Parent, #search{mod = Mod, options = Options, runs = Runs} = Searc
         ok -> {going, Run, Next};
         _ -> ended(found, Run, Next)
     end.
+
+%% What the system under test draws is not drawn from the search's random stream.
+undisturbed(Fun) ->
+    Random = rand:export_seed(),
+    Result = Fun(),
+    _ = rand:seed(Random),
+    Result.
 
 %% Without its snapshots.
 best_of(#{value := Value} = Run, #{value := Before}) when Value < Before -> Run#{places := []};

@@ -18,7 +18,7 @@
     %% undefined: that of the process, in all of them
     bias := faultcheck_range:bias() | undefined,
     plain_share := float(),
-    %% called before each run that starts at the beginning
+    %% called before each run that starts at the beginning, and before the first generation
     begin_test := fun(() -> term()),
     %% fresh sequences at the start of a population, its size, children per batch
     fresh := pos_integer(),

@@ -45,7 +45,7 @@ trials(State, Worlds, Settings) ->
     #{workers := Workers, start := Start, stop := Stop, progress := Progress} = Settings,
     Items = items(Worlds, Settings),
     Options = #{
-        name => {search, erlang:phash2({Items, maps:get(code, Settings)}, 1 bsl 32)},
+        name => {search, erlang:phash2({Items, named(Worlds), code(Settings)}, 1 bsl 32)},
         workers => Workers,
         chunk => 1,
         state_file => State,
@@ -61,6 +61,17 @@ trials(State, Worlds, Settings) ->
         {ok, #{found := Trials}} -> {ok, Trials};
         {error, _} = Error -> Error
     end.
+
+%% Kept results are those of the same worlds and the same code.
+named(Worlds) -> [maps:with([name, label, model, caps], World) || World <- Worlds].
+
+code(#{code := Code}) ->
+    Modules = [
+        faultcheck_search, faultcheck_search_mutation, faultcheck_search_run,
+        faultcheck_search_trial, faultcheck_search_options, faultcheck_perturb,
+        faultcheck_generator, faultcheck_range
+    ],
+    {Code, [Module:module_info(md5) || Module <- Modules]}.
 
 trial({Number, Task}, Worlds) ->
     {#{}, [faultcheck_search_trial:run(lists:nth(Number, Worlds), Task)]}.

@@ -140,6 +140,7 @@ behind({set, _, {call, _, Name, Args}}, Going) ->
 
 judged(ok, #going{model = Model, position = Position, elapsed = Elapsed} = Going) ->
     case objective(Model, faultcheck_run:state(Position)) of
+        false -> {ok, Going};
         {objective, _} = Failed -> {Failed, Going};
         {Value, When, Key} -> {ok, nearer({Value, moment(When, Elapsed), Key}, Going)}
     end;
@@ -168,8 +169,11 @@ snapshot(#going{model = {Mod, _}, position = Position, places = Places} = Going)
     },
     Going#going{places = [Place | Places], last = Elapsed}.
 
-%% What is no finite number is a failure.
-objective(Model, State) ->
+%% What is no finite number is a failure. A model that is tested by chance may have none.
+objective({_, Info} = Model, State) ->
+    faultcheck_model:has_objective(Info) andalso told(Model, State).
+
+told(Model, State) ->
     try faultcheck_model:objective(Model, State) of
         {Value, now, _} = Objective when is_number(Value) -> Objective;
         {Value, {time, T}, _} = Objective when is_number(Value), is_number(T) -> Objective;
@@ -185,6 +189,6 @@ observer(Mod) ->
     fun(State) ->
         case objective(Model, State) of
             {objective, _} = Failed -> Failed;
-            {_, _, _} -> ok
+            _ -> ok
         end
     end.

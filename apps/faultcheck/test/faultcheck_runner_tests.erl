@@ -21,6 +21,7 @@ tests() ->
         {"a property that holds", fun holds/1},
         {"a wrong result is shrunk and stored", fun wrong/1},
         {"a crash in the VM is confirmed and shrunk in a process of its own", fun crash/1},
+        {"a crash in a guided search is confirmed and shrunk, too", fun search_crash/1},
         {"a hang is a failure that was confirmed with ten times the limit", fun hang/1},
         {"a timeout counts only with ten times the limit", fun slow/1},
         {"an exit of C code is a failure", fun leave/1},
@@ -80,6 +81,13 @@ crash(Dir) ->
     #{shrunk := [Commands], original := [Original]} = the_case(Dir),
     ?assertEqual(10, sum(Commands)),
     ?assert(length(Original) >= length(Commands)).
+
+search_crash(Dir) ->
+    {Status, Text} = run(["-p", "prop_search_crash", "-n", "1"], Dir),
+    ?assertEqual(1, Status),
+    contains("SIGSEGV", Text),
+    #{shrunk := [Commands]} = the_case(Dir),
+    ?assertEqual(10, sum(Commands)).
 
 hang(Dir) ->
     {Status, Text} = run(["-p", "prop_hang"], Dir),

@@ -69,7 +69,7 @@ a_boundary_bias_holds_during_the_search_only_test() ->
 a_model_without_objective_is_the_callers_error_test() ->
     ?assertError({no_objective, bag_model, _},
                  faultcheck_search:search(bag_model, #{max_runs => 1})),
-    ?assertMatch({found, _},
+    ?assertMatch({found, #{outcome := {postcondition, false}, value := worst}},
                  model_lab:isolated(fun() ->
                      faultcheck_search:search(bag_model, #{
                          strategy => random, begin_test => fun bag_model:reset/0

@@ -64,6 +64,12 @@ prop_chatty() ->
 
 limit() -> list_to_integer(os:getenv("FAULTCHECK_TEST_LIMIT", "1000")).
 
+%% A search by chance, as this model has no objective, that crashes its VM.
+prop_search_crash() ->
+    put(?MODULE, crash),
+    Options = #{strategy => random, begin_test => fun() -> ok = cb:restart(unruly) end},
+    ?SETUP(fun unruly/0, faultcheck_search:property(?MODULE, Options)).
+
 %% One search a test.
 prop_search() ->
     Options = #{max_runs => 30, begin_test => fun() -> cart_model:reset(1.0 * limit()) end},
