@@ -8,8 +8,9 @@
 -export_type([name/0]).
 
 -type name() ::
-    default | radii | soft_gains | gate_median | gate_never_accept | comfort_error | risk_age
-    | braking | plausibility | crc | e2e | fast_its | hardened.
+    default | radii | soft_gains | small_corrections | gate_median | gate_never_accept
+    | gate_majority | comfort_error | risk_age | braking | strong_override | plausibility | crc
+    | e2e | fast_its | hardened.
 
 -define(ITS_MS, 100).
 -define(FAST_ITS_MS, 50).
@@ -22,8 +23,8 @@ names() -> [default] ++ measures() ++ [hardened].
 -spec measures() -> [name()].
 measures() ->
     [
-        radii, soft_gains, gate_median, gate_never_accept, comfort_error, risk_age, braking,
-        plausibility, crc, e2e, fast_its
+        radii, soft_gains, small_corrections, gate_median, gate_never_accept, gate_majority,
+        comfort_error, risk_age, braking, strong_override, plausibility, crc, e2e, fast_its
     ].
 
 %% @doc A few words for tables.
@@ -31,11 +32,14 @@ measures() ->
 title(default) -> "the original's";
 title(radii) -> "larger zones";
 title(soft_gains) -> "lower gains";
+title(small_corrections) -> "small corrections";
 title(gate_median) -> "median gate";
 title(gate_never_accept) -> "gate never gives in";
+title(gate_majority) -> "majority gate";
 title(comfort_error) -> "comfort zone by confidence";
 title(risk_age) -> "risk grows with age";
 title(braking) -> "room to brake";
+title(strong_override) -> "stronger override";
 title(plausibility) -> "plausibility of messages";
 title(crc) -> "CRC of messages";
 title(e2e) -> "E2E of messages";
@@ -47,27 +51,25 @@ title(hardened) -> "hardened".
 values(default) -> #{};
 values(radii) -> #{comfort_radius => 0.9, base_radius => 1.5};
 values(soft_gains) -> #{pos_p => 0.3, vel_p => 0.2};
+values(small_corrections) -> #{max_corr => 0.07};
 values(gate_median) -> #{gate => 1};
 values(gate_never_accept) -> #{gate => 2};
+values(gate_majority) -> #{gate => 3};
 values(comfort_error) -> #{comfort_error_gain => 1.0};
 values(risk_age) -> #{risk_age_gain => 1.0};
-values(braking) -> #{brake_gain => 1.0};
+values(braking) -> #{brake_gain => 2.0};
+values(strong_override) -> #{override_gain => 0.6};
 values(plausibility) -> #{plausibility => 1};
 values(crc) -> #{protect => 1};
 values(e2e) -> #{protect => 2};
 values(fast_its) -> #{};
 values(hardened) ->
     #{
-        comfort_radius => 0.9,
+        comfort_radius => 1.1,
         base_radius => 1.5,
-        pos_p => 0.3,
-        vel_p => 0.3,
-        gate => 2,
-        comfort_error_gain => 1.0,
-        risk_age_gain => 1.0,
-        brake_gain => 1.0,
-        plausibility => 1,
-        protect => 2
+        max_corr => 0.07,
+        brake_gain => 2.0,
+        override_gain => 0.6
     }.
 
 %% @doc How often each copter tells the others where it is.

@@ -1,4 +1,4 @@
-%% @doc The realistic faults of Paper III, section 2.2: their parameters, and what is armed for them.
+%% @doc The realistic faults of Paper III, section 2.2: their parameters, what is armed for them.
 %%
 %% Parameters are integers: thousandths of degrees, metres, or of a factor; milliseconds. What is
 %% armed are faults of faultcheck_fault at the simulator's probes and channels. A fault with a
@@ -129,11 +129,9 @@ place(Kind, [Copter | _]) -> {Kind, Copter, none}.
 arming(misalignment, [Copter, Axis, Angle], _) ->
     [{attitude(Axis, Copter), {offset, thousandths(Angle)}, none}];
 arming(air, [Copter, Axis, Angle, Hold, Window, Seed], _) ->
-    Times = lists:seq(0, Window - 1, Hold),
-    [
-        {attitude(Axis, Copter), {{offset, Gust}, during(From, min(Hold, Window - From))}, none}
-     || {From, Gust} <- lists:zip(Times, gusts(length(Times), thousandths(Angle), Seed))
-    ];
+    Most = thousandths(Angle),
+    Gusts = {held_offset, -Most, Most, Hold * ?NS_PER_MS},
+    [{attitude(Axis, Copter), {Gusts, during(Window)}, Seed}];
 arming(drift, [Copter, Axis, Rate], _) ->
     Limit =
         case Axis of
@@ -147,7 +145,7 @@ arming(reflection, [Copter, Anchor, Most, When, Seed], _) ->
     Trigger =
         case When of
             {scattered, Share} -> [{random, thousandths(Share)}];
-            {lasting, Ms} -> during(0, Ms)
+            {lasting, Ms} -> during(Ms)
         end,
     Detour = {random_offset, ?LEAST_DETOUR, thousandths(Most)},
     [{probe(["RangeId", Copter, "Anch", Anchor]), {Detour, Trigger}, Seed}];
@@ -162,7 +160,7 @@ arming(corruption, [Copter, Byte, Bit], _) ->
 arming(loss, [Copter, {packets, N}], _) ->
     [{channel(Copter), {drop, N}, none}];
 arming(loss, [Copter, {ms, Ms}], _) ->
-    [{channel(Copter), {lose, during(0, Ms)}, none}];
+    [{channel(Copter), {lose, during(Ms)}, none}];
 arming(delay, [Copter, Ms], _) ->
     [{channel(Copter), {delay, {ns, Ms * ?NS_PER_MS}}, none}];
 arming(repetition, [Copter, Times, Ms], _) ->
@@ -175,19 +173,7 @@ arming(jump, [Copter, Axis, Offset], _) ->
     Id = probe(["P", atom_to_list(Axis), "Id", Copter]),
     [{Id, {{offset, thousandths(Offset)}, [{for, 1}]}, none}].
 
-%% The library draws a random offset anew at each call; wind stays for a while.
-gusts(Count, Most, Seed) ->
-    {Gusts, _} = lists:mapfoldl(
-        fun(_, State) ->
-            {Unit, Next} = rand:uniform_s(State),
-            {Most * (2 * Unit - 1), Next}
-        end,
-        rand:seed_s(exsss, Seed),
-        lists:seq(1, Count)
-    ),
-    Gusts.
-
-during(From, Ms) -> [{time, From * ?NS_PER_MS, Ms * ?NS_PER_MS}].
+during(Ms) -> [{time, 0, Ms * ?NS_PER_MS}].
 
 attitude(Axis, Copter) -> probe([string:titlecase(atom_to_list(Axis)), "Id", Copter]).
 

@@ -66,7 +66,7 @@ defaults() ->
         brute_force => false
     }.
 
-valid(world, V) -> V =:= reference orelse is_box(V);
+valid(world, V) -> is_world(V);
 valid(min_copters, V) -> positive(V);
 valid(max_copters, V) -> positive(V);
 valid(max_faults, V) -> is_integer(V) andalso V >= 0;
@@ -82,8 +82,13 @@ valid(objective, V) -> lists:member(V, [gap, stop, late]);
 valid(threads, V) -> positive(V) andalso V =< 64;
 valid(brute_force, V) -> is_boolean(V).
 
-is_box({box, N}) -> positive(N);
-is_box(_) -> false.
+is_world(reference) -> true;
+is_world(open) -> true;
+is_world({box, N}) -> positive(N);
+is_world({moved, World, {Dx, Dy, Turns}}) ->
+    is_world(World) andalso is_float(Dx) andalso is_float(Dy) andalso
+        lists:member(Turns, [0, 1, 2, 3]);
+is_world(_) -> false.
 
 positive(V) -> is_integer(V) andalso V > 0.
 
@@ -141,11 +146,6 @@ values(#{configuration := Configuration, set := Set}) ->
 label(Options) ->
     #{world := World, min_copters := Min, max_copters := Max, max_faults := Faults} = Options,
     #{configuration := Configuration, ranges := Ranges} = Options,
-    Where =
-        case World of
-            reference -> "reference world";
-            {box, N} -> io_lib:format("box for ~b", [N])
-        end,
     Copters =
         case Min of
             Max -> io_lib:format("~b copters", [Max]);
@@ -157,4 +157,9 @@ label(Options) ->
             {_, default} -> io_lib:format("at most ~b faults", [Faults]);
             {_, mild} -> io_lib:format("at most ~b mild faults", [Faults])
         end,
-    lists:flatten(io_lib:format("~s, ~s, ~s, ~s", [Where, Copters, Armed, Configuration])).
+    lists:flatten(io_lib:format("~s, ~s, ~s, ~s", [place(World), Copters, Armed, Configuration])).
+
+place(reference) -> "reference world";
+place(open) -> "open sky";
+place({box, N}) -> io_lib:format("box for ~b", [N]);
+place({moved, World, _}) -> [place(World), ", moved"].

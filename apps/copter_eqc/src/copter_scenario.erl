@@ -91,33 +91,31 @@ tell({Command, Args}, #story{copters = Copters} = Story) ->
     Ids = [Id || {Id, _} <- Copters],
     lists:foldl(fun armed/2, Story, copter_fault:arming(Kind, Args, lists:sort(Ids))).
 
-event(Type, Members, Story) -> event(0, Type, Members, Story).
-
-event(Later, Type, Members, #story{t_us = Time, events = Events} = Story) ->
-    Event = {object, [{t_us, Time + Later}, {type, Type} | Members]},
-    Story#story{events = [Event | Events]}.
+event(Type, Members, #story{t_us = Time, events = Events} = Story) ->
+    Story#story{events = [{object, [{t_us, Time}, {type, Type} | Members]} | Events]}.
 
 armed({Where, Fault, Seed}, Story) ->
     {Model, Trigger} = faultcheck_fault:normal(Fault),
-    {Later, When} = trigger(Trigger, Story),
     {Type, Place} =
         case Where of
             {probe, Probe} -> {fault, {probe, Probe}};
             {channel, Channel} -> {packet_fault, {channel, Channel}}
         end,
     Own = [{seed, Seed} || Seed =/= none],
-    event(Later, Type, [Place | model(Model)] ++ When ++ Own, Story).
+    event(Type, [Place | model(Model)] ++ trigger(Trigger, Story) ++ Own, Story).
 
 %% A probe of a position is called once a step.
-trigger([], _) -> {0, []};
-trigger([{for, Calls}], #story{dt_us = Dt}) -> {0, [{duration_us, Calls * Dt}]};
-trigger([{time, From, For}], _) -> {From div ?NS_PER_US, [{duration_us, For div ?NS_PER_US}]};
-trigger([{random, Share}], _) -> {0, [{probability, Share}]}.
+trigger([], _) -> [];
+trigger([{for, Calls}], #story{dt_us = Dt}) -> [{duration_us, Calls * Dt}];
+trigger([{time, 0, For}], _) -> [{duration_us, For div ?NS_PER_US}];
+trigger([{random, Share}], _) -> [{probability, Share}].
 
 model({offset, Value}) -> [{model, offset}, {value, Value}];
 model({amplification, Factor}) -> [{model, amplification}, {value, Factor}];
 model({drift_timed, Rate, Limit}) -> [{model, drift_timed}, {rate, Rate}, {limit, Limit}];
 model({random_offset, Low, High}) -> [{model, random_offset}, {low, Low}, {high, High}];
+model({held_offset, Low, High, Ns}) ->
+    [{model, held_offset}, {low, Low}, {high, High}, {ns, Ns}];
 model({corruption, Byte, Bit}) -> [{model, corruption}, {byte, Byte}, {bit, Bit}];
 model({drop, Packets}) -> [{model, drop}, {count, Packets}];
 model(lose) -> [{model, lose}];

@@ -9,8 +9,8 @@
 -module(copter_sut).
 
 -export([begin_test/1, stop/0, default_transport/1, library/0]).
--export([add_copter/3, copters/0, command/4, arm/1, clear_faults/0, iterate/1, run/1]).
--export([set/2, set_state/3]).
+-export([add_copter/3, add_copter/4, copters/0, command/4, arm/1, clear_faults/0, iterate/1]).
+-export([set/2, value_of/1, configure/1]).
 -export([time_us/0, state/2, bits/1, station/1, closest/0]).
 -export([snapshot/0, restore/1, release/1]).
 -export_type([outcome/0, collision/0, objective/0, view/0, closest/0, state/0]).
@@ -37,9 +37,12 @@
 -type state() :: #{atom() => float()}.
 
 -define(LIBRARY, "libcoptersim.so").
+%% Not less than the structures have; csim_new compares the first.
+-define(OPTIONS_BYTES, 40).
 -define(COLLISION_BYTES, 48).
 -define(STATE_BYTES, 80).
 -define(STATION_BYTES, 64).
+-define(COLUMNS_BYTES, 128).
 -define(US_PER_MS, 1000).
 
 %% ---- start and stop ---------------------------------------------------------------------------
@@ -75,52 +78,48 @@ watch(Sim, #{objective := Objective, horizon_ms := Horizon}) ->
     Kind = maps:get(Objective, #{gap => 'CSIM_GAP', stop => 'CSIM_STOP', late => 'CSIM_LATE'}),
     {csim_watch_closeness, [Sim, Kind, Horizon * ?US_PER_MS]}.
 
-instance(#{threads := Threads, brute_force := Brute} = Options) ->
+instance(#{threads := Threads, brute_force := Brute}) ->
     Wanted = {Threads, Brute},
     case get(?MODULE) of
-        #{kind := Wanted, lib := Lib} = Sut ->
-            case cb:last_crash(Lib) of
-                none -> Sut;
-                _ -> replaced(Options)
-            end;
         undefined ->
-            start(Wanted);
-        _ ->
-            replaced(Options)
+            Lib = load(),
+            with_simulation(Wanted, with_buffers(#{lib => Lib}));
+        #{lib := Lib} = Sut ->
+            case cb:last_crash(Lib) of
+                none ->
+                    with_simulation(Wanted, Sut);
+                _ ->
+                    ok = stop(),
+                    instance(#{threads => Threads, brute_force => Brute})
+            end
     end.
 
-replaced(Options) ->
-    ok = stop(),
-    instance(Options).
-
-start({Threads, Brute} = Kind) ->
-    Lib = load(),
+with_simulation(Kind, #{kind := Kind} = Sut) ->
+    Sut;
+with_simulation({Threads, Brute} = Kind, #{lib := Lib} = Sut) ->
+    _ = [cb:call(Lib, csim_free, [Old]) || {ok, Old} <- [maps:find(sim, Sut)]],
     Given = #{
-        size => maps:get(byte_size, options_layout()),
+        size => ?OPTIONS_BYTES,
         faults => null,
         seed => 1,
         threads => Threads,
-        brute_force => Brute
+        brute_force => Brute,
+        build => null
     },
     case cb:call(Lib, csim_new, [Given]) of
         null -> refused(Lib, csim_new, null);
-        Sim -> new(Kind, Lib, Sim)
+        Sim -> Sut#{kind => Kind, sim => Sim, faults => cb:call(Lib, csim_faults, [Sim])}
     end.
 
-%% csim_options: a size, a pointer, 64 bits, an int and a bool.
-options_layout() -> #{byte_size => 32}.
-
-new(Kind, Lib, Sim) ->
-    #{
-        kind => Kind,
-        lib => Lib,
-        sim => Sim,
-        faults => cb:call(Lib, csim_faults, [Sim]),
+with_buffers(#{lib := Lib} = Sut) ->
+    Sut#{
         collision => buffer(Lib, csim_collision, ?COLLISION_BYTES),
         closest => buffer(Lib, csim_closeness, ?COLLISION_BYTES),
         state => buffer(Lib, csim_state, ?STATE_BYTES),
         station => buffer(Lib, csim_station, ?STATION_BYTES),
-        count => cb:create_array(Lib, size_t, [0])
+        columns => buffer(Lib, csim_columns_view, ?COLUMNS_BYTES),
+        count => cb:create_array(Lib, size_t, [0]),
+        number => cb:create_array(Lib, double, [0.0])
     }.
 
 %% Zeroed room for one structure, not smaller than it is.
@@ -164,22 +163,21 @@ library() ->
 
 %% ---- commands ---------------------------------------------------------------------------------
 
-%% @doc A copter at rest, metres.
+%% @doc A copter at rest, metres; it looks along x, or in the direction of the yaw, degrees.
 -spec add_copter(non_neg_integer(), float(), float()) -> ok.
-add_copter(Id, X, Y) -> one(csim_add_copter, [Id, X, Y, 0.0]).
+add_copter(Id, X, Y) -> add_copter(Id, X, Y, 0.0).
+
+-spec add_copter(non_neg_integer(), float(), float(), Yaw :: float()) -> ok.
+add_copter(Id, X, Y, Yaw) -> one(csim_add_copter, [Id, X, Y, Yaw]).
 
 %% @doc The ids of all copters, ascending.
 -spec copters() -> [non_neg_integer()].
 copters() ->
-    #{lib := Lib, sim := Sim} = get(?MODULE),
-    Count = cb:call(Lib, csim_count, [Sim]),
-    Columns = buffer(Lib, csim_columns_view, 128),
-    try
-        ok = one(csim_columns, ['CSIM_TRUE', Columns]),
-        [#{id := Ids}] = cb:read(Lib, Columns, 1),
-        cb:read(Lib, Ids, Count)
-    after
-        cb:free(Lib, Columns)
+    #{lib := Lib, columns := Columns} = get(?MODULE),
+    ok = one(csim_columns, ['CSIM_TRUE', Columns]),
+    case cb:read(Lib, Columns, 1) of
+        [#{count := 0}] -> [];
+        [#{count := Count, id := Ids}] -> cb:read(Lib, Ids, Count)
     end.
 
 %% @doc The pilot's command of a copter from now on, each -1..1.
@@ -206,17 +204,12 @@ clear_faults() ->
     #{lib := Lib, faults := Faults} = get(?MODULE),
     faultcheck_inject:remove_all(Lib, Faults, all).
 
-%% @doc Lets time pass, up to the first collision. Milliseconds, a multiple of the step.
+%% @doc Lets time pass, up to the first collision. Milliseconds, of which whole steps are made.
 -spec iterate(pos_integer()) -> outcome().
 iterate(Ms) ->
-    #{dt_us := Dt} = get(?MODULE),
-    run(Ms * ?US_PER_MS div Dt).
-
-%% @doc Runs so many steps, up to the first collision.
--spec run(pos_integer()) -> outcome().
-run(Steps) ->
-    #{dt_us := Dt, its_div := Its, anchor_div := Anchor} = Sut = get(?MODULE),
-    #{lib := Lib, sim := Sim} = Sut,
+    #{dt_us := Dt, its_div := Its, anchor_div := Anchor, lib := Lib, sim := Sim} = Sut =
+        get(?MODULE),
+    Steps = Ms * ?US_PER_MS div Dt,
     case cb:call(Lib, csim_run, [Sim, Steps, Dt, Its, Anchor]) of
         0 -> after_run(cb:call(Lib, csim_status, [Sim]), Sut);
         Code -> refused(Lib, csim_run, Code)
@@ -241,10 +234,17 @@ kind('CSIM_COPTER') -> copter.
 -spec set(atom(), number()) -> ok.
 set(Name, Value) -> one(csim_set, [atom_to_binary(Name), float(Value)]).
 
-%% @doc Puts a copter elsewhere: members of its state that are to change.
--spec set_state(non_neg_integer(), view(), state()) -> ok.
-set_state(Id, View, Changes) ->
-    one(csim_set_state, [Id, view(View), maps:merge(state(Id, View), Changes)]).
+%% @doc The value of a parameter or gain.
+-spec value_of(atom()) -> number().
+value_of(Name) ->
+    #{lib := Lib, number := Buffer} = get(?MODULE),
+    ok = one(csim_get, [atom_to_binary(Name), Buffer]),
+    [Value] = cb:read(Lib, Buffer, 1),
+    Value.
+
+%% @doc All parameters to those of a set that the simulator knows by name.
+-spec configure(atom()) -> ok.
+configure(Name) -> one(csim_configure, [atom_to_binary(Name)]).
 
 %% ---- what can be seen -------------------------------------------------------------------------
 

@@ -5,10 +5,13 @@
 -module(copter_world).
 
 -export([lines/1, anchors/1, bounds/1, clearance/2, free/3, grid/2]).
--export_type([world/0, line/0, anchor/0, place/0]).
+-export([move/2]).
+-export_type([world/0, line/0, anchor/0, place/0, move/0]).
 
-%% {box, N}: made for N copters, 4 + 4 ceil(sqrt N) wide.
--type world() :: reference | {box, pos_integer()}.
+%% {box, N}: made for N copters, 4 + 4 ceil(sqrt N) wide. open: the reference world without lines.
+%% {moved, World, Move}: turned about the origin, then shifted.
+-type world() :: reference | open | {box, pos_integer()} | {moved, world(), move()}.
+-type move() :: {Dx :: float(), Dy :: float(), QuarterTurns :: 0..3}.
 -type place() :: {X :: float(), Y :: float()}.
 -type line() :: {Id :: non_neg_integer(), place(), place()}.
 -type anchor() :: {Id :: non_neg_integer(), X :: float(), Y :: float(), Z :: float()}.
@@ -38,13 +41,27 @@ ends(reference) ->
         {{-5.0, -5.0}, {-8.0, 0.0}},
         {{-8.0, 0.0}, {-5.0, 5.0}}
     ];
+ends(open) ->
+    [];
 ends({box, _} = Box) ->
-    edges(corners(Box)).
+    edges(corners(Box));
+ends({moved, World, Move}) ->
+    [{move(Move, From), move(Move, To)} || {From, To} <- ends(World)].
 
 %% @doc The anchors; the order is that of their use.
 -spec anchors(world()) -> [anchor()].
 anchors(reference) ->
     [{0, -8.0, -5.0, 1.0}, {1, -8.0, 5.0, 1.0}, {2, 8.0, 5.0, 1.0}, {3, 8.0, -5.0, 1.0}];
+anchors(open) ->
+    anchors(reference);
+anchors({moved, World, Move}) ->
+    [
+        begin
+            {MovedX, MovedY} = move(Move, {X, Y}),
+            {Id, MovedX, MovedY, Z}
+        end
+     || {Id, X, Y, Z} <- anchors(World)
+    ];
 anchors({box, _} = Box) ->
     In = half(Box) - 1.0,
     Places = [{-In, -In}, {In, -In}, {In, In}, {-In, In}],
@@ -53,6 +70,10 @@ anchors({box, _} = Box) ->
 %% Counter-clockwise.
 corners(reference) ->
     [{-5.0, -5.0}, {5.0, -5.0}, {8.0, 0.0}, {5.0, 5.0}, {-5.0, 5.0}, {-8.0, 0.0}];
+corners(open) ->
+    corners(reference);
+corners({moved, World, Move}) ->
+    [move(Move, Corner) || Corner <- corners(World)];
 corners({box, _} = Box) ->
     H = half(Box),
     [{-H, -H}, {H, -H}, {H, H}, {-H, H}].
@@ -60,6 +81,15 @@ corners({box, _} = Box) ->
 half({box, N}) -> 2.0 + 2.0 * math:ceil(math:sqrt(N)).
 
 edges([First | Rest] = Corners) -> lists:zip(Corners, Rest ++ [First]).
+
+%% @doc A place of a moved world.
+-spec move(move(), place()) -> place().
+move({Dx, Dy, Turns}, Place) ->
+    {X, Y} = turn(Turns, Place),
+    {X + Dx, Y + Dy}.
+
+turn(0, Place) -> Place;
+turn(N, {X, Y}) -> turn(N - 1, {-Y, X}).
 
 %% @doc The smallest rectangle around the world.
 -spec bounds(world()) -> {MinX :: float(), MinY :: float(), MaxX :: float(), MaxY :: float()}.

@@ -57,7 +57,8 @@ pairs(List) -> lists:zip(lists:droplast(List), tl(List)).
 faults_are_limited_test() ->
     Sequences = sequences(#{max_faults => 2}, 200, 100),
     ?assertEqual(2, lists:max([most_armed(names(S), 0, 0) || S <- Sequences])),
-    ?assertEqual([], [F || S <- sequences(#{max_faults => 0}, 100, 30), F <- names(S), is_fault(F)]),
+    Without = [F || S <- sequences(#{max_faults => 0}, 100, 30), F <- names(S), is_fault(F)],
+    ?assertEqual([], Without),
     Only = [F || S <- sequences(#{faults => [loss]}, 100, 30), F <- names(S), is_fault(F)],
     ?assertEqual([fault_clear, fault_loss], lists:usort(Only)).
 

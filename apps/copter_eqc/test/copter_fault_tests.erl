@@ -54,19 +54,11 @@ a_reflection_only_adds_to_a_range_test() ->
     ?assertEqual({0.5, 8.0, 77}, {Low, High, Seed}),
     ?assertEqual([{time, 0, 3000000000}], Trigger).
 
-%% Gusts follow each other without a gap and end with the window.
-air_moves_for_the_window_test() ->
-    Armed = copter_fault:arming(air, [0, roll, 4000, 300, 1000, 5], [0]),
-    Windows = [{From, For} || {_, {{offset, _}, [{time, From, For}]}, none} <- Armed],
-    Ms = 1000000,
-    ?assertEqual(
-        [{0, 300 * Ms}, {300 * Ms, 300 * Ms}, {600 * Ms, 300 * Ms}, {900 * Ms, 100 * Ms}], Windows
-    ),
-    Gusts = [Gust || {_, {{offset, Gust}, _}, _} <- Armed],
-    ?assertEqual(4, length(lists:usort(Gusts))),
-    ?assert(lists:all(fun(G) -> abs(G) =< 4.0 end, Gusts)),
-    ?assertEqual(Armed, copter_fault:arming(air, [0, roll, 4000, 300, 1000, 5], [0])),
-    ?assertNotEqual(Armed, copter_fault:arming(air, [0, roll, 4000, 300, 1000, 6], [0])).
+air_moves_in_gusts_for_the_window_test() ->
+    [{{probe, <<"RollId0">>}, {Gusts, Trigger}, 5}] =
+        copter_fault:arming(air, [0, roll, 4000, 300, 1000, 5], [0]),
+    ?assertEqual({held_offset, -4.0, 4.0, 300000000}, Gusts),
+    ?assertEqual([{time, 0, 1000000000}], Trigger).
 
 the_same_fault_has_the_same_place_test() ->
     Same = fun(Kind, A, B) -> copter_fault:place(Kind, A) =:= copter_fault:place(Kind, B) end,
