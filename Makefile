@@ -11,11 +11,11 @@ ifneq ($(shell uname -s)-$(shell uname -m),Linux-x86_64)
 $(error FaultCheck needs Linux on x86-64 (ELF, DWARF and libffi of that machine); this is $(shell uname -s) on $(shell uname -m))
 endif
 
-.PHONY: help setup native compile test demo bench coverage airbag-report e2e-report mutants fuzz replay install docs \
-        format lint clean chroot-check
+.PHONY: help setup native compile test demo bench coverage airbag-report e2e-report copter-campaign copter-figures \
+        search-report mutants fuzz replay install docs format lint clean chroot-check
 
 help:  ## this list
-	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "  make %-15s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 setup:  ## install what is missing for everything below (shows the list and asks; SETUP=no only tells)
 	@scripts/setup.sh all
@@ -32,9 +32,10 @@ demo:  ## find, shrink, store and explain the airbag's unintended explosion
 	@scripts/setup.sh --quiet demo
 	@scripts/demo.sh
 
+# Of a case with a flight also: SPEED=1 (0: without waiting), SET="pos_p=1.0 gate=median", BISECT=base_radius=1:3
 replay:  ## run a stored case again: make replay CASE=cases/<id>
 	@scripts/setup.sh --quiet demo
-	@scripts/replay.sh "$(CASE)"
+	@SPEED="$(SPEED)" SET="$(SET)" BISECT="$(BISECT)" scripts/replay.sh "$(CASE)"
 
 test:  ## install what is missing, build, and run every test and check
 	@scripts/setup.sh --quiet test
@@ -55,6 +56,18 @@ airbag-report:  ## repeat the experiments of the paper: _build/reports/airbag.md
 e2e-report:  ## Hamming distances; which E2E profile detects which fault, how often: _build/reports/e2e.md
 	@scripts/setup.sh --quiet demo
 	@scripts/e2e_report.sh
+
+copter-campaign:  ## which faults make quadcopters collide, and what helps: _build/reports/copter_campaign.md
+	@scripts/setup.sh --quiet demo
+	@scripts/copter_campaign.sh
+
+copter-figures:  ## the figures of Papers II and III flown again, checked: _build/reports/copter_figures.md
+	@scripts/setup.sh --quiet demo
+	@scripts/copter_figures.sh
+
+search-report:  ## what guided search brings over chance: _build/reports/search.md
+	@scripts/setup.sh --quiet demo
+	@scripts/search_report.sh
 
 mutants:  ## how many seeded defects of the C libraries the models and the C tests find: _build/reports/mutants.md
 	@scripts/setup.sh --quiet demo
