@@ -28,6 +28,24 @@ for entry in golden["entries"]:
     scenario = entry["scenario"]
     with open(f"{sys.argv[1]}/{scenario['name']}.json", "w") as file:
         json.dump(scenario, file)
+
+# Enough copters for every vector width and for several threads, with faults that draw random numbers.
+copters = [{"id": i, "pos": [2.5 * (i % 12), 2.5 * (i // 12)], "yaw": 37 * i % 360 - 180} for i in range(130)]
+events = [{"t_us": 15000 * i, "type": "command", "copter": i, "roll": (i % 7 - 3) / 5, "pitch": (i % 5 - 2) / 4,
+           "yaw": (i % 3 - 1) / 2} for i in range(130)]
+for i in range(0, 130, 13):
+    events += [
+        {"t_us": 100000, "type": "fault", "probe": f"RollId{i}", "model": "noise_gauss", "deviation": 2},
+        {"t_us": 200000, "type": "fault", "probe": f"YawId{i + 1}", "model": "drift_timed", "rate": 3},
+        {"t_us": 300000, "type": "fault", "probe": f"RangeId{i}Anch0", "model": "random_offset", "low": 0.5, "high": 8,
+         "probability": 0.3},
+        {"t_us": 0, "type": "packet_fault", "channel": f"ITS_DATA{i + 2}", "model": "delay", "ns": 150000000}]
+grid = {"format": "coptersim-scenario/1", "name": "grid", "dt_us": 5000, "duration_us": 4000000,
+        "halt_on_collision": False, "params": {"integrator": "exact"}, "copters": copters, "events": events,
+        "world": {"lines": [{"id": 0, "p1": [-2, -2], "p2": [32, -2]}],
+                  "anchors": [{"id": 0, "pos": [0, 0, 2]}, {"id": 1, "pos": [30, 0, 2]}]}}
+with open(f"{sys.argv[1]}/grid.json", "w") as file:
+    json.dump(grid, file)
 PYTHON
 
 # same NAME COMMAND...: the command's traces of all scenarios have the bytes of the first one that was run.
