@@ -25,9 +25,11 @@ outcome(passed, [], [], <<>>) -> passed;
 outcome(Result, Samples, Counts, Printed) ->
     {Result, term_to_binary({Samples, Counts, Printed})}.
 
+%% @doc A test that failed, with the search that its process made last.
 -spec failed(faultcheck_search:found()) -> outcome().
 failed(Found) -> {failed, Found}.
 
+%% @doc A test in which its worker died or hung, and how.
 -spec lost(string()) -> outcome().
 lost(Line) -> {lost, Line}.
 

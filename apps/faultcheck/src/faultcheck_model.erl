@@ -172,6 +172,7 @@ requirements({Mod, Info}, State, Name, Args, Result) ->
 setting(#info{setting = Setting}) ->
     Setting.
 
+%% @doc Whether the model says how near a run came to failing.
 -spec has_objective(info()) -> boolean().
 has_objective(Info) ->
     has({objective, 1}, Info).

@@ -122,7 +122,7 @@ value({Key, _, boolean, _, _, _}, Args, Options) ->
         _ -> parse(Args, Options#{Key => true})
     end;
 value({Key, _, Type, _, _, _}, [], _Options) ->
-    {error, lists:concat(["option --", Key, " needs a value: ", describe(Type)])};
+    {error, lists:concat(["option --", word(Key), " needs a value: ", describe(Type)])};
 value({Key, _, Type, _, _, _}, [Arg | Rest], Options) ->
     case convert(Type, text(Arg)) of
         {ok, Value} -> checked(Key, Value, Rest, Options);
@@ -145,7 +145,7 @@ checked(Key, Value, Rest, Options) ->
     parse(Rest, Options#{Key => Value}).
 
 bad(Key, Type, Text) ->
-    {error, lists:concat(["option --", Key, " must be ", describe(Type), ", not ", Text])}.
+    {error, lists:concat(["option --", word(Key), " must be ", describe(Type), ", not ", Text])}.
 
 describe(boolean) -> "true or false";
 describe(pos_integer) -> "a whole number from 1";

@@ -40,6 +40,7 @@
 -spec int(integer(), integer()) -> faultcheck_proper:type().
 int(Min, Max) -> int(Min, Max, #{}).
 
+%% @doc The same with options.
 -spec int(integer(), integer(), options()) -> faultcheck_proper:type().
 int(Min, Max, Options) when is_integer(Min), is_integer(Max), Min =< Max ->
     type((checked(Options))#{kind => int, min => Min, max => Max}).
@@ -48,6 +49,7 @@ int(Min, Max, Options) when is_integer(Min), is_integer(Max), Min =< Max ->
 -spec real(number(), number()) -> faultcheck_proper:type().
 real(Min, Max) -> real(Min, Max, #{}).
 
+%% @doc The same with options.
 -spec real(number(), number(), options()) -> faultcheck_proper:type().
 real(Min, Max, Options) when is_number(Min), is_number(Max), Min =< Max ->
     type((checked(Options))#{kind => real, min => float(Min), max => float(Max)}).

