@@ -69,21 +69,25 @@ search(Mod, Given) ->
         faultcheck_proper:preserving_random({?MODULE, Seed}, fun() -> begun(Mod, Options) end)
     end).
 
-begun(Mod, #{bias := Bias, plain_share := Plain, strategy := Strategy} = Options) ->
+begun(Mod, #{strategy := Strategy} = Options) ->
     %% What a test begins with may also say what is generated.
     _ = undisturbed(maps:get(begin_test, Options)),
     Info = faultcheck_model:info(Mod),
     Strategy =:= random orelse faultcheck_model:has_objective(Info) orelse
         error({no_objective, Mod, "a guided search needs objective(State) of the model"}),
-    Wanted =
-        case Plain > 0 andalso rand:uniform() < Plain of
-            true -> 0;
-            false -> Bias
-        end,
     Search = #search{mod = Mod, options = without_snapshots(Options)},
-    case Wanted of
+    case bias(Options) of
         undefined -> strategy(Search);
-        _ -> faultcheck_range:with_bias(Wanted, fun() -> strategy(Search) end)
+        Bias -> faultcheck_range:with_bias(Bias, fun() -> strategy(Search) end)
+    end.
+
+%% Some searches go without, so that inner values stay likely.
+bias(#{bias := undefined}) ->
+    undefined;
+bias(#{bias := Bias, plain_share := Plain}) ->
+    case rand:uniform() < Plain of
+        true -> 0;
+        false -> Bias
     end.
 
 %% Fresh sequences have no parents.

@@ -14,8 +14,8 @@
     %% commands in one
     time := number(),
     max_commands := pos_integer(),
-    %% boundary bias of the generators (faultcheck_range), and the share of searches without it;
-    %% undefined: that of the process, in all of them
+    %% boundary bias of the generators (faultcheck_range); undefined: that of the process. Where it
+    %% is given, a share of the searches goes without
     bias := faultcheck_range:bias() | undefined,
     plain_share := float(),
     %% called before each run that starts at the beginning, and before the first generation
@@ -62,7 +62,7 @@ defaults() ->
         time => 20,
         max_commands => 500,
         bias => undefined,
-        plain_share => 0.0,
+        plain_share => 0.1,
         begin_test => fun() -> ok end,
         fresh => 20,
         population => 5,

@@ -59,7 +59,7 @@ seed({Base, World}, Column, Repetition) ->
 ) -> trial().
 run(World, {Column, Repetition, Seed, Shrink}) ->
     #{name := Name, model := Model, search := Search, caps := Caps} = World,
-    Options = maps:merge(Search, settings(Column)),
+    Options = maps:merge(Search#{plain_share => 0}, settings(Column)),
     Began = erlang:monotonic_time(millisecond),
     {Status, #{runs := Runs, simulated := Time} = Result} =
         faultcheck_search:search(Model, Options#{
