@@ -11,7 +11,7 @@
 -module(faultcheck_inject).
 
 -export([arm/4, trigger/4, enable/4, remove/3, remove_all/3]).
--export([add_call/3, condition_call/4, fc_model/1, code_name/1]).
+-export([add_call/3, condition_call/4, fc_model/1, code_name/1, attempt/3]).
 -export_type([where/0, context/0, id/0, reason/0, call/0]).
 
 -type context() :: null | cb:ptr().
@@ -67,8 +67,8 @@ check_name(Name) ->
 
 arm_valid(Lib, Context, Where, {Model, Trigger}) ->
     {Function, Args} = add_call(Context, Where, Model),
-    case cb:call(Lib, Function, Args) of
-        Id when Id > 0 ->
+    case attempt(Lib, Function, Args) of
+        {Id, _} when Id > 0 ->
             Restriction = restriction(Context, Id, Where),
             case all(Lib, Restriction ++ conditions(Lib, Context, Id, Trigger)) of
                 ok ->
@@ -77,8 +77,8 @@ arm_valid(Lib, Context, Where, {Model, Trigger}) ->
                     _ = cb:call(Lib, fc_remove, [Context, Id]),
                     Error
             end;
-        Code ->
-            refused(Lib, Code)
+        {_, Error} ->
+            Error()
     end.
 
 restriction(Context, Id, {channel, _, Receiver}) ->
@@ -116,13 +116,18 @@ remove_all(Lib, Context, all) ->
 all(_Lib, []) ->
     ok;
 all(Lib, [{Function, Args} | Calls]) ->
-    case cb:call(Lib, Function, Args) of
-        0 -> all(Lib, Calls);
-        Code -> refused(Lib, Code)
+    case attempt(Lib, Function, Args) of
+        {0, _} -> all(Lib, Calls);
+        {_, Error} -> Error()
     end.
 
-refused(Lib, Code) ->
-    {error, {code_name(Code), cb:cstring(Lib, cb:call(Lib, fc_last_error_text, []))}}.
+%% @doc Calls a function of libfaultcheck: what it gives, and what its error is if that is one. Both
+%% are asked for at once: an error is known to the thread that met it.
+-spec attempt(cb:library(), atom(), [term()]) -> {term(), fun(() -> {error, reason()})}.
+attempt(Lib, Function, Args) ->
+    Calls = [{Function, Args}, {fc_last_error, []}, {fc_last_error_text, []}],
+    [Result, Code, Text] = cb:call_batch(Lib, Calls),
+    {Result, fun() -> {error, {code_name(Code), cb:cstring(Lib, Text)}} end}.
 
 %% @doc The name of an FC_E_ code.
 -spec code_name(integer()) -> atom().

@@ -51,6 +51,16 @@ typedef void (*fc_list_fn)(void *user, const fc_listed *listed);
  * before channels of the same name. FC_OK, FC_E_NOMEM; FC_E_ARG for visit NULL. */
 FC_API int fc_list(fc_context *ctx, fc_list_fn visit, void *user);
 
+/* The same for callers that cannot give a function: a copy, made at one moment. */
+typedef struct fc_listing fc_listing;
+
+/* NULL when memory is exhausted (FC_E_NOMEM in fc_last_error). */
+FC_API fc_listing *fc_listing_new(fc_context *ctx);
+/* The at-th entry, from 0, valid until fc_listing_free; NULL behind the last. */
+FC_API const fc_listed *fc_listing_at(const fc_listing *listing, size_t at);
+/* NULL is allowed. */
+FC_API void fc_listing_free(fc_listing *listing);
+
 /* The same as one JSON object a line. FC_OK; FC_E_ARG for line NULL; FC_E_NOMEM, perhaps after some
  * of the lines. */
 FC_API int fc_dump_json(fc_context *ctx, fc_line_fn line, void *user);

@@ -72,6 +72,17 @@ typedef void (*fc_divergence_fn)(void *user, const fc_divergence *divergence);
 FC_API int fc_compare(const void *golden, size_t golden_len, const void *run, size_t run_len,
                       const fc_tolerance *tolerance, fc_divergence_fn visit, void *user);
 
+/* The same for callers that cannot give a function. */
+typedef struct fc_comparison fc_comparison;
+
+/* NULL on an error (fc_last_error), as fc_compare. */
+FC_API fc_comparison *fc_comparison_new(const void *golden, size_t golden_len, const void *run,
+                                        size_t run_len, const fc_tolerance *tolerance);
+/* The at-th divergence, from 0, valid until fc_comparison_free; NULL behind the last. */
+FC_API const fc_divergence *fc_comparison_at(const fc_comparison *comparison, size_t at);
+/* NULL is allowed. */
+FC_API void fc_comparison_free(fc_comparison *comparison);
+
 #ifdef __cplusplus
 }
 #endif

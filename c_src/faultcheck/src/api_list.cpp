@@ -50,6 +50,10 @@ std::string json_of(const fc_listed &listed) {
 
 } // namespace
 
+struct fc_listing {
+    const fc::Listing content;
+};
+
 extern "C" {
 
 int fc_list(fc_context *ctx, fc_list_fn visit, void *user) {
@@ -62,6 +66,25 @@ int fc_list(fc_context *ctx, fc_list_fn visit, void *user) {
             visit(user, &listed.entry);
         return FC_OK;
     });
+}
+
+fc_listing *fc_listing_new(fc_context *ctx) {
+    fc_context &context = fc::context_of(ctx);
+    fc_listing *made = nullptr;
+    fc::guarded(context, [&]() -> int {
+        made = new fc_listing{fc::Listing(context)};
+        return FC_OK;
+    });
+    return made;
+}
+
+const fc_listed *fc_listing_at(const fc_listing *listing, size_t at) {
+    const auto &all = listing->content.all();
+    return at < all.size() ? &all[at].entry : nullptr;
+}
+
+void fc_listing_free(fc_listing *listing) {
+    delete listing;
 }
 
 int fc_dump_json(fc_context *ctx, fc_line_fn line, void *user) {

@@ -1,9 +1,11 @@
-// fc_record_text and fc_compare: what can be done with recordings, without a context of their own.
+// fc_record_text, fc_compare and its other form: what can be done with recordings, without a
+// context of their own.
 #include "compare.h"
 #include "context.h"
 #include "json_text.h"
 
 #include <cstring>
+#include <memory>
 
 namespace fc {
 
@@ -70,9 +72,39 @@ int refuse(const char *why) {
     return report(context_of(nullptr), FC_E_ARG, format("%s", why));
 }
 
+struct Recording {
+    const void *data;
+    std::size_t size;
+};
+
+// FC_OK, FC_E_ARG or FC_E_FORMAT. Throws std::bad_alloc.
+int compare_all(const Recording &golden, const Recording &run, const fc_tolerance *tolerance,
+                std::vector<Divergence> *results) {
+    if ((golden.data == nullptr && golden.size > 0) || (run.data == nullptr && run.size > 0))
+        return refuse("compare: a recording is NULL");
+    if (tolerance != nullptr && !(tolerance->absolute >= 0 && tolerance->relative >= 0))
+        return refuse("compare: the tolerances must be numbers >= 0");
+    RecordingReader first(golden.data, golden.size);
+    RecordingReader second(run.data, run.size);
+    *results = compare(first, second, tolerance == nullptr ? fc_tolerance{0, 0} : *tolerance);
+    if (first.error() != nullptr)
+        return report_format(first, "golden recording");
+    if (second.error() != nullptr)
+        return report_format(second, "recording of the run");
+    for (Divergence &result : *results) {
+        result.found.id = result.name.text.c_str();
+        result.found.is_channel = result.name.is_channel;
+    }
+    return FC_OK;
+}
+
 } // namespace
 
 } // namespace fc
+
+struct fc_comparison {
+    std::vector<fc::Divergence> results;
+};
 
 extern "C" {
 
@@ -92,28 +124,39 @@ int fc_record_text(const void *recording, size_t len, fc_line_fn line, void *use
 
 int fc_compare(const void *golden, size_t golden_len, const void *run, size_t run_len,
                const fc_tolerance *tolerance, fc_divergence_fn visit, void *user) {
-    if ((golden == nullptr && golden_len > 0) || (run == nullptr && run_len > 0))
-        return fc::refuse("fc_compare: a recording is NULL");
     if (visit == nullptr)
         return fc::refuse("fc_compare: visit is NULL");
-    if (tolerance != nullptr && !(tolerance->absolute >= 0 && tolerance->relative >= 0))
-        return fc::refuse("fc_compare: the tolerances must be numbers >= 0");
     return fc::guarded(fc::context_of(nullptr), [&]() -> int {
-        fc::RecordingReader first(golden, golden_len);
-        fc::RecordingReader second(run, run_len);
-        std::vector<fc::Divergence> results =
-            fc::compare(first, second, tolerance == nullptr ? fc_tolerance{0, 0} : *tolerance);
-        if (first.error() != nullptr)
-            return fc::report_format(first, "golden recording");
-        if (second.error() != nullptr)
-            return fc::report_format(second, "recording of the run");
-        for (fc::Divergence &result : results) {
-            result.found.id = result.name.text.c_str();
-            result.found.is_channel = result.name.is_channel;
+        std::vector<fc::Divergence> results;
+        const int code = fc::compare_all({golden, golden_len}, {run, run_len}, tolerance, &results);
+        if (code != FC_OK)
+            return code;
+        for (const fc::Divergence &result : results)
             visit(user, &result.found);
-        }
         return static_cast<int>(results.size());
     });
+}
+
+fc_comparison *fc_comparison_new(const void *golden, size_t golden_len, const void *run,
+                                 size_t run_len, const fc_tolerance *tolerance) {
+    fc_comparison *made = nullptr;
+    fc::guarded(fc::context_of(nullptr), [&]() -> int {
+        auto comparison = std::make_unique<fc_comparison>();
+        const int code =
+            fc::compare_all({golden, golden_len}, {run, run_len}, tolerance, &comparison->results);
+        if (code == FC_OK)
+            made = comparison.release();
+        return code;
+    });
+    return made;
+}
+
+const fc_divergence *fc_comparison_at(const fc_comparison *comparison, size_t at) {
+    return at < comparison->results.size() ? &comparison->results[at].found : nullptr;
+}
+
+void fc_comparison_free(fc_comparison *comparison) {
+    delete comparison;
 }
 
 } // extern "C"

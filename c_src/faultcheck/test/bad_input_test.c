@@ -137,6 +137,11 @@ static void null_recordings(void) {
     CHECK_ERROR(FC_E_ARG, "NULL");
     CHECK_INT(fc_compare("", 0, NULL, 1, NULL, ignore_divergence, NULL), FC_E_ARG);
     CHECK_ERROR(FC_E_ARG, "NULL");
+    CHECK(fc_comparison_new(NULL, 1, "", 0, NULL) == NULL);
+    CHECK_ERROR(FC_E_ARG, "NULL");
+    CHECK(fc_comparison_new("FCREC001", 8, "FCREC001N", 9, NULL) == NULL);
+    CHECK_ERROR(FC_E_FORMAT, "recording of the run");
+    fc_comparison_free(NULL);
     CHECK_INT(fc_compare("FCREC001", 8, "FCREC001", 8, NULL, NULL, NULL), FC_E_ARG);
     CHECK_ERROR(FC_E_ARG, "NULL");
     CHECK_INT(fc_compare("FCREC001", 8, "FCREC001", 8, NULL, ignore_divergence, NULL), 0);

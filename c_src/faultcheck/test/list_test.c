@@ -167,8 +167,28 @@ static void changes_are_counted(void) {
     CHECK(has_changed());
 }
 
+/* Without a function to visit; the copy stays as it is. */
+static void a_listing_is_a_copy(void) {
+    fc_reset(ctx);
+    fc_add_offset(ctx, "p", 1);
+    fc_channel_put(ctx, "c", "x", 1);
+    fc_listing *listing = fc_listing_new(ctx);
+    fc_reset(ctx);
+    const fc_listed *channel = fc_listing_at(listing, 0), *probed = fc_listing_at(listing, 1);
+    CHECK(strcmp(channel->id, "c") == 0 && channel->is_channel && channel->fault_count == 0);
+    CHECK(strcmp(probed->id, "p") == 0 && !probed->is_channel && probed->fault_count == 1);
+    CHECK(strcmp(probed->faults[0].model, "offset") == 0);
+    CHECK(fc_listing_at(listing, 2) == NULL);
+    fc_listing_free(listing);
+    fc_listing_free(NULL);
+    listing = fc_listing_new(ctx);
+    CHECK(fc_listing_at(listing, 0) == NULL);
+    fc_listing_free(listing);
+}
+
 int main(void) {
     ctx = fc_new(NULL);
+    a_listing_is_a_copy();
     everything_seen_is_listed_by_name();
     idle_calls_are_counted_on_request();
     the_state_of_a_fault_is_told();

@@ -144,6 +144,18 @@ void listing() {
               nothing) > 0);
 }
 
+void listing_without_a_function() {
+    CHECK(fail_each(
+              arm_everything,
+              [](fc_context *ctx) -> int {
+                  fc_listing *made = fc_listing_new(ctx);
+                  const bool good = made != nullptr;
+                  fc_listing_free(made);
+                  return good ? FC_OK : FC_E_NOMEM;
+              },
+              nothing) > 0);
+}
+
 void dumping() {
     CHECK(fail_each(
               arm_everything,
@@ -185,6 +197,13 @@ void reading_recordings() {
         CHECK(lines == 9 || (result != FC_OK && lines < 9));
         return result;
     });
+    reading([&]() -> int {
+        fc_comparison *made =
+            fc_comparison_new(golden.data(), golden.size(), run.data(), run.size(), nullptr);
+        const bool good = made != nullptr;
+        fc_comparison_free(made);
+        return good ? FC_OK : FC_E_NOMEM;
+    });
     const auto visit = [](void *user, const fc_divergence *found) {
         CHECK_INT(found->extra, 2);
         ++*static_cast<int *>(user);
@@ -208,6 +227,7 @@ int main() {
     a_value_that_does_not_fit();
     calls_that_are_recorded();
     listing();
+    listing_without_a_function();
     dumping();
     reading_recordings();
     return CHECK_RESULT();

@@ -144,6 +144,17 @@ static int compare(const recording *golden, const recording *run, double absolut
     const int result = fc_compare(golden->data, golden->len, run->data, run->len, &tolerance,
                                   add_divergence, NULL);
     CHECK_INT(result, count);
+    fc_comparison *same =
+        fc_comparison_new(golden->data, golden->len, run->data, run->len, &tolerance);
+    for (int at = 0; at < count; at++) {
+        const fc_divergence *other = fc_comparison_at(same, (size_t)at);
+        CHECK(strcmp(other->id, names[at]) == 0);
+        CHECK_INT(other->first, found[at].first);
+        CHECK_INT(other->extra, found[at].extra);
+        CHECK_BITS(other->largest_absolute, found[at].largest_absolute);
+    }
+    CHECK(fc_comparison_at(same, (size_t)count) == NULL);
+    fc_comparison_free(same);
     return result;
 }
 
