@@ -154,10 +154,13 @@ label(Options) ->
     Armed =
         case {Faults, Ranges} of
             {0, _} -> "no faults";
+            {1, default} -> "at most 1 fault";
+            {1, mild} -> "at most 1 mild fault";
             {_, default} -> io_lib:format("at most ~b faults", [Faults]);
             {_, mild} -> io_lib:format("at most ~b mild faults", [Faults])
         end,
-    lists:flatten(io_lib:format("~s, ~s, ~s, ~s", [place(World), Copters, Armed, Configuration])).
+    Words = [place(World), Copters, Armed, atom_to_list(Configuration)],
+    lists:flatten(lists:join(", ", Words)).
 
 place(reference) -> "reference world";
 place(open) -> "open sky";

@@ -35,7 +35,7 @@ commands(Calls) ->
 ) -> ok.
 write(Dir, Name, Changes, Commands) ->
     Calls = [{F, Args} || {set, _, {call, copter_eqc, F, Args}} <- Commands],
-    Text = io_lib:format("~p.~n", [#{options => Changes, calls => Calls}]),
+    Text = io_lib:format("~lp.~n", [#{options => Changes, calls => Calls}]),
     Scenario = copter_scenario:from_commands(Commands, copter_options:new(Changes), [
         {name, {text, Name}}
     ]),

@@ -28,6 +28,6 @@ worlds_have_a_fixed_number_of_copters_test() ->
 
 labels_say_what_differs_test() ->
     ?assertEqual(
-        "reference world, 4 copters, at most 1 mild faults, default",
+        "reference world, 4 copters, at most 1 mild fault, default",
         copter_options:label(copter_options:world('W8'))
     ).
