@@ -17,7 +17,10 @@
 
 -record(state, {
     profile :: profile(),
-    contexts :: #{faultcheck_eqc_sut:context() => faultcheck_ref:context()}
+    contexts :: #{faultcheck_eqc_sut:context() => faultcheck_ref:context()},
+    %% what snapshots hold
+    saved = #{} :: #{{faultcheck_eqc_sut:context(), faultcheck_eqc_sut:slot()} =>
+                         faultcheck_ref:context()}
 }).
 
 initial_state() ->
@@ -44,6 +47,7 @@ weight(_S, trigger) -> 4;
 weight(_S, legacy_add) -> 2;
 weight(_S, legacy_trigger) -> 2;
 weight(_S, legacy_probe) -> 2;
+weight(_S, restore) -> 2;
 weight(_S, _) -> 1.
 
 %% ---- add: arm a fault -------------------------------------------------------------------------
@@ -262,6 +266,24 @@ reset_pre(S, _) -> reset_pre(S).
 reset(Name) -> faultcheck_eqc_sut:reset(Name).
 reset_next(S, _, [Name]) -> with(Name, fun faultcheck_ref:reset/1, S).
 
+%% ---- save, restore: the model is a term, so a copy of it is its snapshot ------------------------
+save_pre(S) -> armed(S) =/= [].
+save_args(S) -> [context(S), oneof([one, two])].
+save_pre(S, _) -> save_pre(S).
+save(Name, Slot) -> faultcheck_eqc_sut:save(Name, Slot).
+save_next(#state{saved = Saved} = S, _, [Name, Slot]) ->
+    S#state{saved = Saved#{{Name, Slot} => context(Name, S)}}.
+save_post(_, _, Result) -> Result =:= ok.
+
+restore_pre(#state{saved = Saved}) -> map_size(Saved) > 0.
+restore_args(#state{saved = Saved}) ->
+    ?LET({Name, Slot}, oneof(maps:keys(Saved)), [Name, Slot]).
+restore_pre(#state{saved = Saved}, [Name, Slot]) -> is_map_key({Name, Slot}, Saved).
+restore(Name, Slot) -> faultcheck_eqc_sut:restore(Name, Slot).
+restore_next(#state{saved = Saved} = S, _, [Name, Slot]) ->
+    with(Name, fun(_) -> maps:get({Name, Slot}, Saved) end, S).
+restore_post(_, _, Result) -> Result =:= 'FC_OK'.
+
 errors_args(S) -> [context(S)].
 errors(Name) -> faultcheck_eqc_sut:errors(Name).
 errors_post(S, [Name], Result) ->
@@ -373,7 +395,8 @@ refused(probe) -> [{bitflip, -1}, {stuck_bit, -1, 1}];
 refused(sensor) ->
     [{drift, 1.0, -1.0}, {saturate, 2.0, 1.0}, {ramp, 1.0, 0}, {quantise, 0.0},
      {delay, {calls, -1}}, {dropout, 1.5, hold}, {spike, -0.5, 1.0},
-     {noise_gauss, nan}, {random_offset, 1.0, 0.0}, {oscillate, 1.0, 0}, {dead_zone, nan, 1.0}];
+     {noise_gauss, nan}, {random_offset, 1.0, 0.0}, {held_offset, 0.0, 1.0, 0},
+     {oscillate, 1.0, 0}, {dead_zone, nan, 1.0}];
 refused(channel) ->
     [{drop, -1}, {repeat, -1}, {corruption, -1, 0}, {corruption, 0, 8}, {resequence, -1},
      {delay, {gets, -1}}, {delay, {ns, -1}}, {insert, <<1>>, -1}].

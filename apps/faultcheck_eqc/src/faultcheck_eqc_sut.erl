@@ -7,12 +7,14 @@
 
 -export([prepare/0, stop/0, add/3, trigger/3, latest/2, enable/3, remove/2, remove_all/2]).
 -export([restrict/3, probe/4, num_active/2, put/3, get/4, subscribe/3, clear/2, depth/3]).
--export([advance/2, seed/2, reset/1, errors/1, lib/0, context/1]).
+-export([advance/2, seed/2, reset/1, errors/1, save/2, restore/2, lib/0, context/1]).
 -export([legacy_add/2, legacy_trigger/2, legacy_probe/3]).
 -export([encode/2, decode/2]).
--export_type([context/0]).
+-export_type([context/0, slot/0]).
 
 -type context() :: a | b | default.
+%% Where a snapshot of a context is kept.
+-type slot() :: one | two.
 -type place() :: {probe | channel, binary()}.
 
 %% Larger than what any test puts.
@@ -28,7 +30,7 @@ prepare() ->
         Call <- [{fc_reset, [maps:get(Name, Sut)]}, {fc_advance, [maps:get(Name, Sut), 0]}]
     ],
     _ = cb:call_batch(Lib, Calls),
-    ok.
+    forget_all().
 
 instance() ->
     case get(?MODULE) of
@@ -74,6 +76,7 @@ quiet(Lib, Contexts) ->
 %% @doc Ends the instance.
 -spec stop() -> ok.
 stop() ->
+    ok = forget_all(),
     case erase(?MODULE) of
         undefined -> ok;
         #{lib := Lib} -> cb:stop(Lib)
@@ -281,6 +284,32 @@ advance(Context, Ns) -> call(fc_advance, [context(Context), Ns]).
 
 -spec seed(context(), non_neg_integer()) -> ok.
 seed(Context, Seed) -> call(fc_seed, [context(Context), Seed]).
+
+%% @doc Keeps the state of a context, in the place of what the slot held.
+-spec save(context(), slot()) -> ok | 'FC_E_NOMEM'.
+save(Context, Slot) ->
+    forget({?MODULE, snapshot, Context, Slot}),
+    case call(fc_save, [context(Context)]) of
+        null ->
+            'FC_E_NOMEM';
+        Snapshot ->
+            _ = put({?MODULE, snapshot, Context, Slot}, Snapshot),
+            ok
+    end.
+
+-spec restore(context(), slot()) -> atom().
+restore(Context, Slot) ->
+    Snapshot = get({?MODULE, snapshot, Context, Slot}),
+    code(call(fc_restore, [context(Context), Snapshot])).
+
+forget_all() ->
+    lists:foreach(fun forget/1, [K || {{?MODULE, snapshot, _, _} = K, _} <- erlang:get()]).
+
+forget(Key) ->
+    case erase(Key) of
+        undefined -> ok;
+        Snapshot -> call(fc_release, [Snapshot])
+    end.
 
 -spec reset(context()) -> ok.
 reset(Context) -> call(fc_reset, [context(Context)]).
