@@ -38,11 +38,18 @@ void player::set_up() {
     for (const anchor &a : scenario_.anchors) {
         check(csim_add_anchor(sim_, a.id, a.x, a.y, a.z), "world.anchors");
     }
+    /* In ascending order each one goes to the end of the columns. */
+    std::vector<const copter *> ascending;
     for (const copter &c : scenario_.copters) {
+        ascending.push_back(&c);
+    }
+    std::sort(ascending.begin(), ascending.end(),
+              [](const copter *a, const copter *b) { return a->id < b->id; });
+    for (const copter *c : ascending) {
         if (!good()) {
             return;
         }
-        set_up_copter(c);
+        set_up_copter(*c);
     }
 }
 
