@@ -19,6 +19,7 @@
 
 #include "generated/kernel_coefficients.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <utility>
