@@ -51,12 +51,13 @@ dropout(hold) -> "keep the value before";
 dropout(zero) -> "give 0";
 dropout(nan) -> "give no number".
 
-%% The window first, in its own words; then the other conditions as they stand.
+%% The window first, in its own words; then the other conditions as they stand. A window that is
+%% always open says nothing beside another condition.
 -spec trigger(faultcheck_fault:trigger()) -> unicode:chardata().
 trigger(Trigger) ->
     Window = window(proplists:get_value(from, Trigger, 0), proplists:get_value(for, Trigger)),
     Others = [condition(C) || C <- Trigger, not lists:member(element(1, C), [from, for])],
-    lists:join(", ", [Window | Others]).
+    lists:join(", ", [Window || Window =/= "always" orelse Others =:= []] ++ Others).
 
 window(0, undefined) -> "always";
 window(N, undefined) -> f("from call ~b on", [N + 1]);

@@ -96,6 +96,7 @@ descriptions_test_() ->
             {{bitflip, 3}, "invert bit 3, always"},
             {{{offset, 2.5}, [{from, 100}, {for, 20}]}, "add 2.5, 20 times from call 101 on"},
             {{{drop, 1}, [{for, 1}]}, "drop 1 packet, once, at call 1"},
+            {{lose, [{periodic, 5, 2}]}, "drop a packet each time, 2 of every 5 calls"},
             {{lose, [{random, 0.1}, {from, 2}]},
              "drop a packet each time, from call 3 on, with probability 0.1"},
             {{field, {2, i16, big}, {drift, 1, none}},
