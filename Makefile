@@ -4,6 +4,7 @@ SHELL := /bin/bash
 MAKEFLAGS += --no-print-directory
 
 FUZZ_SECONDS ?= 60
+FUZZ_RUNS ?=
 PREFIX ?= /usr/local
 export SETUP CI
 
@@ -74,9 +75,9 @@ mutants:  ## how many seeded defects of the C libraries the models and the C tes
 	@scripts/mutants.sh
 	@scripts/mutants.sh c-tests
 
-fuzz:  ## run each fuzz target for FUZZ_SECONDS=60 seconds
+fuzz:  ## run each fuzz target for FUZZ_SECONDS=60 seconds, or FUZZ_RUNS=10000000 times however long that takes
 	@scripts/setup.sh --quiet test
-	@scripts/fuzz.sh "$(FUZZ_SECONDS)"
+	@scripts/fuzz.sh "$(FUZZ_SECONDS)" "$(FUZZ_RUNS)"
 
 install:  ## install libraries, applications and bin/faultcheck: make install PREFIX=/usr/local
 	@scripts/setup.sh --quiet demo

@@ -1,7 +1,12 @@
 #!/usr/bin/env bash
-# Runs each fuzz target for the given number of seconds and prints what came of it.
+# Runs each fuzz target and prints what came of it: fuzz.sh SECONDS [RUNS]. With RUNS each is run that often, however
+# long it takes.
 set -euo pipefail
-case "${1:-}" in
-  '' | *[!0-9]*) echo "fuzz: FUZZ_SECONDS must be a whole number of seconds, not '${1:-}'" >&2; exit 2 ;;
-esac
-FUZZ_SECONDS=$1 exec "$(dirname "$0")/test.sh" fuzz
+whole() { # NAME VALUE
+  case "$2" in
+    '' | *[!0-9]*) echo "fuzz: $1 must be a whole number, not '$2'" >&2; exit 2 ;;
+  esac
+}
+whole FUZZ_SECONDS "${1:-}"
+if [ -n "${2:-}" ]; then whole FUZZ_RUNS "$2"; fi
+FUZZ_SECONDS=$1 FUZZ_RUNS=${2:-} exec "$(dirname "$0")/test.sh" fuzz

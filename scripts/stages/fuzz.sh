@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# A short run of every fuzz target; a target passes when it finds nothing. FUZZ_SECONDS is the time for each.
+# A short run of every fuzz target; a target passes when it finds nothing. FUZZ_SECONDS is the time for each, or
+# FUZZ_RUNS the number of its runs. Prints how many runs there were.
 source "$(dirname "$0")/lib.sh"
-seconds=${FUZZ_SECONDS:-15}
+limit="-max_total_time=${FUZZ_SECONDS:-15}"
+[ -z "${FUZZ_RUNS:-}" ] || limit="-runs=$FUZZ_RUNS"
 
 scripts/build_native.sh fuzz >"$reports/build-fuzz.log" 2>&1 || {
   tail -n 40 "$reports/build-fuzz.log"
@@ -9,12 +11,24 @@ scripts/build_native.sh fuzz >"$reports/build-fuzz.log" 2>&1 || {
   finish 1
 }
 shopt -s nullglob
+
+# One target; its log stays in _build/fuzz.
+fuzz() { # NAME TARGET ARGUMENT...
+  local name=$1 log="_build/fuzz/$1.log"
+  shift
+  if ! "$@" >"$log" 2>&1; then
+    tail -n 20 "$log"
+    return 1
+  fi
+  sed -nE "s/^Done ([0-9]+) runs in ([0-9]+) second.*/$name: \\1 runs in \\2 s/p" "$log" >&3
+}
+
 for target in _build/cmake/fuzz/out/bin/fuzz_*; do
   name=$(basename "$target")
   corpus="_build/fuzz/$name"
   mkdir -p "$corpus"
   seeds=(c_src/*/fuzz/corpus/"${name#fuzz_}" c_src/*/*/fuzz/corpus/"${name#fuzz_}")
-  check "$name for $seconds s" "$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 \
-    -artifact_prefix="_build/fuzz/$name-" "$corpus" "${seeds[@]}"
+  check "$name" fuzz "$name" "$target" "$limit" -timeout=10 -rss_limit_mb=2048 \
+    -artifact_prefix="_build/fuzz/$name-" "$corpus" "${seeds[@]}" 3>&1
 done
 finish

@@ -1,5 +1,5 @@
-%% @doc Recordings of libfaultcheck: what passes the probes, monitors and channels of a library under
-%% test, and where a run differs from a golden one.
+%% @doc Recordings of libfaultcheck: what passes the probes, monitors and channels of a library
+%% under test, and where a run differs from a golden one.
 %%
 %% ```
 %% ok = faultcheck_record:start(Lib, null),
