@@ -23,9 +23,9 @@ extern "C" {
 
 /* ---- Probes ---- */
 
-/* Look up the probe id for values of that type. FC_OK; FC_E_ARG for an unknown type or handle NULL;
- * FC_E_NOMEM. On an error *handle is as before. */
-FC_API int fc_resolve(fc_context *ctx, const char *id, fc_type type, fc_handle *handle);
+/* Look up the probe id for values of that fc_type. FC_OK; FC_E_ARG for an unknown type or handle
+ * NULL; FC_E_NOMEM. On an error *handle is as before. */
+FC_API int fc_resolve(fc_context *ctx, const char *id, int type, fc_handle *handle);
 
 /* True while a call would change, count and record nothing: no fault is armed on the identifier,
  * calls are neither counted nor recorded, and it has been probed as this type since fc_new or

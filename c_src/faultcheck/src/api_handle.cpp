@@ -4,7 +4,7 @@
 
 namespace {
 
-const unsigned char *state_of(const fc::Probe &probe, fc_type type) {
+const unsigned char *state_of(const fc::Probe &probe, int type) {
     static_assert(sizeof probe.state[0] == 1);
     return reinterpret_cast<const unsigned char *>(&probe.state[type]);
 }
@@ -55,11 +55,11 @@ int fc_handle_bytes(fc_handle *handle, const char *id, void *data, size_t len) {
     return probe_by_handle(handle, id, data == nullptr && len > 0 ? nullptr : &bytes);
 }
 
-int fc_resolve(fc_context *ctx, const char *id, fc_type type, fc_handle *handle) {
+int fc_resolve(fc_context *ctx, const char *id, int type, fc_handle *handle) {
     fc_context &context = fc::context_of(ctx);
     if (handle == nullptr)
         return refuse(context, id, "the handle is NULL");
-    if (static_cast<int>(type) < FC_F32 || type > FC_BYTES)
+    if (type < FC_F32 || type > FC_BYTES)
         return refuse(context, id, "there is no such type");
     return fc::guarded(context, [&]() -> int {
         const std::lock_guard<std::mutex> hold(context.arming);

@@ -126,7 +126,7 @@ static void what_cannot_be_resolved_is_refused(void) {
     fc_channel_handle channel = {NULL, NULL, NULL};
     CHECK_INT(fc_resolve(ctx, "p", FC_F64, NULL), FC_E_ARG);
     CHECK_ERROR(FC_E_ARG, "the handle is NULL");
-    CHECK_INT(fc_resolve(ctx, "p", (fc_type)99, &handle), FC_E_ARG);
+    CHECK_INT(fc_resolve(ctx, "p", 99, &handle), FC_E_ARG);
     CHECK_ERROR(FC_E_ARG, "no such type");
     CHECK(handle.state == NULL);
     CHECK_INT(fc_resolve_channel(ctx, "c", NULL), FC_E_ARG);
