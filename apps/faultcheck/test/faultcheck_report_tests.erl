@@ -56,6 +56,14 @@ shrinking_progress_test() ->
         )
     ).
 
+searching_progress_test() ->
+    ?assertEqual(
+        "prop_x: test 3, search: 120 runs of 2000, nearest 0.5",
+        faultcheck_report:searching_progress(
+            {m, prop_x}, 3, #{runs => 120, most => 2000, nearest => 0.5}
+        )
+    ).
+
 json_test() ->
     Versions = maps:get(versions, failure()),
     {ok, #{<<"total">> := 1, <<"passed">> := 0, <<"properties">> := [P]}} =
