@@ -74,10 +74,9 @@ args(anchor, Ranges, Anchors) ->
         signed(limit(anchor, Ranges), "mm")
     ];
 args(corruption, _, _) ->
-    Plain = #{boundary => false},
     [
-        faultcheck_range:int(0, ?MESSAGE_BYTES - 1, Plain#{unit => "byte"}),
-        faultcheck_range:int(0, 7, Plain#{unit => "bit"})
+        faultcheck_range:index(0, ?MESSAGE_BYTES - 1, "byte"),
+        faultcheck_range:index(0, 7, "bit")
     ];
 args(loss, Ranges, _) ->
     {Packets, Ms} = limit(loss, Ranges),
@@ -111,7 +110,7 @@ whole(Least, Most, Unit) -> faultcheck_range:int(Least, Most, #{unit => Unit}).
 
 time(Least, Most) -> whole(Least, Most, "ms").
 
-seed() -> faultcheck_range:int(0, 16#FFFFFFFF, #{boundary => false}).
+seed() -> faultcheck_range:index(0, 16#FFFFFFFF, "seed").
 
 %% @doc Where a fault of this kind acts: a second one there would be but another size of it.
 -spec place(kind(), [term()]) -> place().

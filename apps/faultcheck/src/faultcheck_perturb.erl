@@ -2,9 +2,9 @@
 %% model has no X_mutate.
 %%
 %% A number with limits (faultcheck_range) moves by a Gaussian step, Scale times half its range
-%% wide, and is clamped; in one of ten cases it becomes a limit. What has no limits (a choice, a
-%% bit index, a seed) is drawn again. All numbers of a command move together; only a command
-%% without any has one of its other arguments drawn again.
+%% wide, and is clamped; in one of ten cases it becomes a limit. What has no order (a choice, a bit
+%% index, a seed) is drawn again. All numbers of a command move together; only a command without
+%% any has one of its other arguments drawn again.
 -module(faultcheck_perturb).
 
 -export([arguments/3, number/3]).
@@ -41,6 +41,7 @@ move([Value | Values], Scale, [Type | Types]) ->
 move(Value, Scale, Type) when is_number(Value) ->
     case faultcheck_range:limits(Type) of
         {ok, #{min := Limit, max := Limit}} -> {false, Value};
+        {ok, #{ordered := false}} -> {false, Value};
         {ok, Limits} -> {true, number(Value, Scale, Limits)};
         none -> {false, Value}
     end;

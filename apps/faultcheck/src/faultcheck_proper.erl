@@ -1,7 +1,7 @@
 %% @doc Every internal of PropEr that is relied on, in one place.
 %%
 %% The internals are the same in PropEr 1.2 and 1.5:
-%%   proper_types:new_type/2, cook_outer/1, is_instance/2, find_prop/2, subtype/2;
+%%   proper_types:new_type/2, cook_outer/1, is_instance/2, is_type/1, find_prop/2, subtype/2;
 %%   integer/2 and float/2 keep their limits as the property env, {Low, High};
 %%   proper_gen:safe_generate/1, clean_instance/1;
 %%   proper_shrink:shrink/3, number_shrinker/4;  the tuple {'$used', Parts, Instance}, of
@@ -82,8 +82,8 @@ with_limits(Limits, Type) ->
 %% @doc The limits of a number's type: those of with_limits/2, or those of PropEr's integer/2 and
 %% float/2 where both are finite.
 -spec limits(type()) -> {ok, faultcheck_range:limits()} | none.
-limits({'$type', _} = Type) ->
-    case proper_types:find_prop(env, Type) of
+limits(Type) ->
+    case proper_types:is_type(Type) andalso proper_types:find_prop(env, Type) of
         {ok, {?MODULE, Limits}} ->
             {ok, Limits};
         {ok, {Low, High}} when is_integer(Low), is_integer(High) ->
@@ -92,9 +92,7 @@ limits({'$type', _} = Type) ->
             {ok, #{kind => real, min => float(Low), max => float(High)}};
         _ ->
             none
-    end;
-limits(_) ->
-    none.
+    end.
 
 %% @doc An intermediate instance of a type; error when PropEr cannot make one.
 -spec generate(type()) -> {ok, imm()} | error.

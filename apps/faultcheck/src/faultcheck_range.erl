@@ -15,7 +15,7 @@
 %% never listens to it (durations, say), one with a number has a bias of its own.
 -module(faultcheck_range).
 
--export([int/2, int/3, real/2, real/3]).
+-export([int/2, int/3, real/2, real/3, index/2, index/3]).
 -export([bias/0, set_bias/1, with_bias/2, limits/1, clamp/2]).
 -export_type([options/0, limits/0, bias/0]).
 
@@ -30,7 +30,9 @@
     min := number(),
     max := number(),
     unit => string(),
-    boundary => boolean() | bias()
+    boundary => boolean() | bias(),
+    %% false: no value is nearer to another than to a third
+    ordered => boolean()
 }.
 
 %% A real shrinks over a thousand places or more of its range, at whole multiples of a power of 10.
@@ -53,6 +55,18 @@ real(Min, Max) -> real(Min, Max, #{}).
 -spec real(number(), number(), options()) -> faultcheck_proper:type().
 real(Min, Max, Options) when is_number(Min), is_number(Max), Min =< Max ->
     type((checked(Options))#{kind => real, min => float(Min), max => float(Max)}).
+
+%% @doc Integers that only tell things apart: bits, bytes, seeds. They shrink as int/2, have no
+%% boundary bias, and a search draws them anew.
+-spec index(integer(), integer()) -> faultcheck_proper:type().
+index(Min, Max) -> index(Min, Max, "").
+
+%% @doc The same with what is counted, in place of a unit.
+-spec index(integer(), integer(), string()) -> faultcheck_proper:type().
+index(Min, Max, What) when is_integer(Min), is_integer(Max), Min =< Max ->
+    type(#{
+        kind => int, min => Min, max => Max, unit => What, boundary => false, ordered => false
+    }).
 
 checked(Options) ->
     maps:foreach(

@@ -198,9 +198,17 @@ generation(#search{idle = Idle, options = #{patience := Patience}} = Search) whe
     population(released([], Search#search{population = []}));
 generation(#search{mod = Mod, options = Options} = Search) ->
     #search{population = Population} = Search,
-    Parents = [parent(Population) || _ <- lists:seq(1, maps:get(children, Options))],
-    Children = [{faultcheck_search_mutation:child(Mod, P, Options), P} || P <- Parents],
+    Children = [child(Mod, Population, Options) || _ <- lists:seq(1, maps:get(children, Options))],
     children(Children, [], Search).
+
+child(Mod, Population, #{immigrants := Immigrants} = Options) ->
+    case rand:uniform() < Immigrants of
+        true ->
+            {faultcheck_search_mutation:fresh(Mod, Options), none};
+        false ->
+            Parent = parent(Population),
+            {faultcheck_search_mutation:child(Mod, Parent, Options), Parent}
+    end.
 
 parent(Population) ->
     Size = length(Population),

@@ -24,6 +24,8 @@
     fresh := pos_integer(),
     population := pos_integer(),
     children := pos_integer(),
+    %% how often a child is a fresh sequence instead
+    immigrants := float(),
     %% members with the same Key
     same_key := pos_integer(),
     %% children without an improvement of the best by `improvement' until a new population
@@ -67,6 +69,7 @@ defaults() ->
         fresh => 20,
         population => 5,
         children => 10,
+        immigrants => 0.0,
         same_key => 2,
         patience => 60,
         improvement => 1.0e-4,
@@ -80,7 +83,9 @@ valid(strategy, V) -> V =:= evolution orelse V =:= random;
 valid(Key, V) when Key =:= time; Key =:= lookback; Key =:= scale -> is_number(V) andalso V > 0;
 valid(improvement, V) -> is_number(V) andalso V >= 0;
 valid(bias, undefined) -> true;
-valid(Key, V) when Key =:= bias; Key =:= plain_share; Key =:= follow; Key =:= address ->
+valid(Key, V) when Key =:= bias; Key =:= plain_share; Key =:= follow; Key =:= address;
+    Key =:= immigrants
+->
     is_number(V) andalso V >= 0 andalso V =< 1;
 valid(begin_test, V) -> is_function(V, 0);
 valid(snapshots, V) -> is_integer(V) andalso V >= 0;

@@ -11,7 +11,7 @@
 -type run() :: faultcheck_testing:run().
 
 %% @doc Runs blocks of tests until there are no more, or one fails.
--spec run(run()) -> faultcheck_property:result().
+-spec run(run()) -> #{status := passed | failed | error}.
 run(#{property := Property} = Run) ->
     case faultcheck_instrument:independent(Property) of
         true -> blocks(ask(Run), Run);

@@ -32,6 +32,15 @@ choices_stay_beside_numbers_and_are_redrawn_alone_test() ->
     Alone = moved([a], [Choice], 100),
     ?assertEqual([a, b, c], lists:usort([C || [C] <- Alone])).
 
+indexes_are_redrawn_test() ->
+    Index = faultcheck_range:index(0, 90, "byte"),
+    ?assertEqual([40], lists:usort([I || [I, _] <-
+        moved([40, 5], [Index, faultcheck_range:int(0, 9)], 50)])),
+    Redrawn = [I || [I] <- moved([40], [Index], 300)],
+    %% far as often as near, and a limit no more often than others: 2 of 91 are
+    ?assert(length([I || I <- Redrawn, abs(I - 40) > 30]) > 50),
+    ?assert(length([I || I <- Redrawn, I =:= 0 orelse I =:= 90]) < 25).
+
 numbers_inside_lists_and_tuples_move_test() ->
     Types = [[proper_types:integer(0, 255), 170], {x, faultcheck_range:real(0, 1)}],
     Moved = moved([[85, 170], {x, 0.5}], Types, 50),
