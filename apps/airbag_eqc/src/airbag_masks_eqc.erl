@@ -114,6 +114,7 @@ search(Options) ->
         time => 1,
         max_runs => 100000,
         patience => 300,
+        immigrants => 0.0,
         begin_test => fun() -> begin_test(Objective) end
     },
     ok = begin_test(Objective),

@@ -11,7 +11,8 @@
 %%   repeat until a run fails or the budget is spent:
 %%     P := the 5 best of 20 fresh sequences
 %%     until 60 children in succession do not improve the best:
-%%       10 children, each of the better of two random members of P
+%%       10 children, each of the better of two random members of P, or in 3 of 10 cases a fresh
+%%          sequence: where the objective leads nowhere, chance goes on
 %%       P := the 5 best of parents and children, at most 2 with the same Key
 %%
 %% Strategy `random' has fresh sequences only. Either way each run that was begun counts, and its

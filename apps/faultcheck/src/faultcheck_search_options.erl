@@ -69,7 +69,7 @@ defaults() ->
         fresh => 20,
         population => 5,
         children => 10,
-        immigrants => 0.0,
+        immigrants => 0.3,
         same_key => 2,
         patience => 60,
         improvement => 1.0e-4,
