@@ -141,7 +141,7 @@ free_options(#{horizon_ms := Horizon}) ->
     }).
 
 free(#{free_tests := Tests} = Context) ->
-    {#{free := Rate}, _} = rates("free", [{free, free_options(Context), Tests}], Context),
+    #{free := Rate} = rates("free", [{free, free_options(Context), Tests}], Context),
     Rate.
 
 searches(#{searches := Searches, search_runs := Runs} = Context) ->
@@ -159,8 +159,7 @@ faults(#{fault_tests := Tests, configurations := Configurations} = Context) ->
         {{Kind, Configuration}, fault_options(Kind, Configuration, Context), Tests}
      || Kind <- copter_fault:kinds(), Configuration <- Configurations
     ],
-    {Rates, _} = rates("faults", Cells, Context),
-    Rates.
+    rates("faults", Cells, Context).
 
 fault_options(Kind, Configuration, #{horizon_ms := Horizon}) ->
     copter_options:new(#{
@@ -191,8 +190,7 @@ survival(#{survival_tests := Tests, crowd_tests := CrowdTests} = Context) ->
             {0, default}, {1, mild}, {1, default}, {3, mild}, {3, default}, {6, mild}, {6, default}
         ]
     ],
-    {Rates, _} = rates("survival", Cells, Context),
-    Rates.
+    rates("survival", Cells, Context).
 
 survival_options(Configuration, World, Copters, Faults, Ranges, #{horizon_ms := Horizon}) ->
     copter_options:new(#{

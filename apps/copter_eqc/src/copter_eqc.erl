@@ -9,9 +9,9 @@
 -include_lib("faultcheck/include/faultcheck.hrl").
 
 %% PropEr 1.5 calls its property types opaque, though a plain boolean is one of them.
--dialyzer({[no_opaque, no_return], [safe/1, safe/2, safe/3]}).
+-dialyzer({[no_opaque, no_return], [safe/1, safe/3]}).
 
--export([safe/1, safe/2, safe/3, begin_test/1, report/2, armed/1, duration_ms/1]).
+-export([safe/1, safe/3, begin_test/1, report/2]).
 -export_type([tell/0]).
 
 -type tell() :: fun(([faultcheck_statem:command()], faultcheck_statem:run()) -> ok).
@@ -257,15 +257,12 @@ begin_test(Options) ->
 %% @doc The property: no sequence of commands makes copters collide.
 -spec safe(copter_options:options()) -> proper:outer_test().
 safe(Options) ->
-    safe(Options, fun(Commands, Run) ->
+    Tell = fun(Commands, Run) ->
         io:put_chars(faultcheck_statem:pretty(?MODULE, Commands, Run))
-    end).
+    end,
+    safe(Options, Tell, #{}).
 
-%% @doc The same, with what is to be told of a failure.
--spec safe(copter_options:options(), tell()) -> proper:outer_test().
-safe(Options, Tell) -> safe(Options, Tell, #{}).
-
-%% @doc The same, with other limits for shrinking.
+%% @doc The same, with what is to be told of a failure, and other limits for shrinking.
 -spec safe(copter_options:options(), tell(), faultcheck_shrinker:options()) ->
     proper:outer_test().
 safe(Options, Tell, Shrinking) ->
@@ -289,14 +286,6 @@ report(#{shrunk := Shrunk} = Case, Dir) ->
     {ok, Commands} = faultcheck_case:commands(Shrunk),
     Scenario = copter_scenario:from_case(Case, Commands, copter_options:current()),
     ok = file:write_file(filename:join(Dir, "scenario.json"), faultcheck_json:pretty(Scenario)).
-
-%% @doc The faults armed in a state of the model.
--spec armed(#state{}) -> [copter_fault:place()].
-armed(#state{faults = Faults}) -> Faults.
-
-%% @doc Simulated time of a sequence.
--spec duration_ms([faultcheck_statem:command()]) -> non_neg_integer().
-duration_ms(Commands) -> lists:sum([Ms || {set, _, {call, _, iterate, [Ms]}} <- Commands]).
 
 %% ---- the model's own --------------------------------------------------------------------
 

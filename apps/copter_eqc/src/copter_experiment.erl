@@ -6,7 +6,7 @@
 -module(copter_experiment).
 
 -export([rates/4, searches/4]).
--export_type([cell/0, rate/0, rates/0, found/0, search/0]).
+-export_type([cell/0, rate/0, rates/0, search/0]).
 
 -type label() :: term().
 -type cell() :: {label(), copter_options:options(), Tests :: pos_integer()}.
@@ -16,14 +16,9 @@
     %% of all tests, up to their end or collision
     simulated_s := float()
 }.
-%% The first collisions of each cell, by test number.
--type found() :: #{label() => [{Number :: pos_integer(), copter_sut:collision()}]}.
--type rates() :: {#{label() => rate()}, found()}.
+-type rates() :: #{label() => rate()}.
 -type search() :: #{seed := integer(), found := boolean(), runs := pos_integer(),
                     simulated_s := float()}.
-
-%% How many collisions of a cell are kept to be looked at.
--define(KEPT, 3).
 
 %% @doc Collision rates of all cells. Test i of each cell is drawn from the seed and i.
 -spec rates(string(), [cell()], Seed :: non_neg_integer(), faultcheck_enumerate:options()) ->
@@ -34,15 +29,9 @@ rates(Name, Cells, Seed, Enumerate) ->
     Check = fun({Label, Number}, _) ->
         test(Label, maps:get(Label, ByLabel), Seed, Number)
     end,
-    #{counts := Counts, found := Found} =
-        enumerated(Items, Check, {Name, Cells, Seed}, maps:merge(#{chunk => 50}, Enumerate)),
-    {
-        maps:from_list([{Label, rate(Label, Counts)} || {Label, _, _} <- Cells]),
-        maps:map(
-            fun(_, Collisions) -> lists:sublist(Collisions, ?KEPT) end,
-            maps:groups_from_list(fun(F) -> element(1, F) end, fun({_, N, C}) -> {N, C} end, Found)
-        )
-    }.
+    Chunks = maps:merge(#{chunk => 50}, Enumerate),
+    #{counts := Counts} = enumerated(Items, Check, {Name, Cells, Seed}, Chunks),
+    maps:from_list([{Label, rate(Label, Counts)} || {Label, _, _} <- Cells]).
 
 test(Label, Options, Seed, Number) ->
     Commands = copter_trial:commands(Options, Seed, Number),
@@ -50,8 +39,8 @@ test(Label, Options, Seed, Number) ->
     Counts = #{{Label, tests} => 1, {Label, us} => copter_sut:time_us()},
     case Result of
         safe -> {Counts, []};
-        {collision, Collision} ->
-            {Counts#{{Label, collisions} => 1}, [{Label, Number, Collision}]};
+        {collision, _} ->
+            {Counts#{{Label, collisions} => 1}, []};
         {failed, Why} -> error({test_failed, Label, Number, Why})
     end.
 

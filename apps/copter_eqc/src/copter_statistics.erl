@@ -1,7 +1,7 @@
 %% @doc Rates of rare events, with the interval that they lie in.
 -module(copter_statistics).
 
--export([wilson/2, percent/1, rate/2, quantile/2]).
+-export([wilson/2, rate/2]).
 
 %% The normal distribution's 97.5 % quantile.
 -define(Z, 1.959963984540054).
@@ -15,13 +15,6 @@ wilson(Events, Tests) ->
     Half = ?Z * math:sqrt(P * (1 - P) / Tests + Z2 / (4 * Tests)),
     {max(0.0, (Middle - Half) / (1 + Z2)), min(1.0, (Middle + Half) / (1 + Z2))}.
 
-%% @doc A share as per cent, with as many digits as it takes to see it.
--spec percent(number()) -> string().
-percent(Share) when Share =< 0 -> "0 %";
-percent(Share) when Share < 0.001 -> text("~.3f %", 100 * Share);
-percent(Share) when Share < 0.1 -> text("~.2f %", 100 * Share);
-percent(Share) -> text("~.1f %", 100 * Share).
-
 %% @doc The rate and its interval: `0.40 % [0.17, 0.93]'.
 -spec rate(non_neg_integer(), pos_integer()) -> string().
 rate(Events, Tests) ->
@@ -31,14 +24,10 @@ rate(Events, Tests) ->
 
 without_sign(Percent) -> string:trim(Percent, trailing, " %").
 
-text(Format, Value) -> lists:flatten(io_lib:format(Format, [float(Value)])).
+%% With as many digits as it takes to see it.
+percent(Share) when Share =< 0 -> "0 %";
+percent(Share) when Share < 0.001 -> text("~.3f %", 100 * Share);
+percent(Share) when Share < 0.1 -> text("~.2f %", 100 * Share);
+percent(Share) -> text("~.1f %", 100 * Share).
 
-%% @doc The P-quantile of numbers, interpolated between neighbours.
--spec quantile(float(), [number(), ...]) -> float().
-quantile(P, Numbers) ->
-    Sorted = lists:sort(Numbers),
-    Place = P * (length(Sorted) - 1),
-    Index = floor(Place),
-    Low = lists:nth(Index + 1, Sorted),
-    High = lists:nth(min(Index + 2, length(Sorted)), Sorted),
-    float(Low + (Place - Index) * (High - Low)).
+text(Format, Value) -> lists:flatten(io_lib:format(Format, [float(Value)])).

@@ -15,7 +15,3 @@ intervals_test() ->
 rates_are_readable_test() ->
     ?assertEqual("0 % [0, 0.019]", copter_statistics:rate(0, 20000)),
     ?assertEqual("10.0 % [4.35, 21.4]", copter_statistics:rate(5, 50)).
-
-quantiles_test() ->
-    ?assertEqual(2.5, copter_statistics:quantile(0.5, [4, 1, 2, 3])),
-    ?assertEqual(1.0, copter_statistics:quantile(0.0, [4, 1, 2, 3])).
