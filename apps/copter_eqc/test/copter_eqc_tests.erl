@@ -82,3 +82,36 @@ removing_a_copter_leaves_the_others_test() ->
         [{add_copter, [1, 500, 0]}, {iterate, [100]}, {steer, [1, 20, 0, 0]}, {iterate, [200]}],
         [{F, A} || {set, _, {call, _, F, A}} <- Kept]
     ).
+
+%% What the runner asks of a model when it stores a case.
+a_case_gets_its_scenario_test() ->
+    ok = copter_options:use(copter_options:new(#{world => reference})),
+    Commands = copter_test_commands:of_calls([{add_copter, [0, 0, 0]}, {iterate, [1000]}]),
+    Dir = cb_files:fresh_name("copter_case", ""),
+    ok = file:make_dir(Dir),
+    try
+        ok = copter_eqc:report(
+            #{
+                property => prop_x,
+                reasons => ["postcondition false"],
+                seed => 4711,
+                versions => #{faultcheck => "1", proper => "2", otp => "3", git => "4"},
+                shrunk => [Commands]
+            },
+            Dir
+        ),
+        {ok, Text} = file:read_file(filename:join(Dir, "scenario.json")),
+        {ok, Scenario} = faultcheck_json:decode(Text),
+        ?assertMatch(
+            #{
+                <<"format">> := <<"coptersim-scenario/1">>,
+                <<"name">> := <<"prop_x">>,
+                <<"x_seed">> := 4711,
+                <<"x_versions">> := #{<<"otp">> := <<"3">>},
+                <<"duration_us">> := 1000000
+            },
+            Scenario
+        )
+    after
+        file:del_dir_r(Dir)
+    end.
