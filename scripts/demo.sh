@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The demonstration: tests the unprotected airbag of Paper I until it fires without cause, and the quadcopters of Paper III
-# until a fault makes them collide. Those failures are what the demonstration is for, so finding them is exit status 0.
+# The demonstration: tests the unprotected airbag of Paper I until it fires without cause, and the quadcopters of
+# Paper III until a fault makes them collide. Those failures are what the demonstration is for, so finding them is exit
+# status 0.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Runs a stored case again: scripts/replay.sh cases/<id>
 #
-# A case with a flight of quadcopters (scenario.json) is also flown, in real time unless SPEED says otherwise (0: without
-# waiting). SET="name=value ..." flies it with other gains or parameters, BISECT=name=low:high looks for the smallest
-# value with which it does not collide; then only the flight is run.
+# A case with a flight of quadcopters (scenario.json) is also flown, in real time unless SPEED says otherwise
+# (0: without waiting). SET="name=value ..." flies it with other gains or parameters, BISECT=name=low:high looks for the
+# smallest value with which it does not collide; then only the flight is run.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 case=${1:-}

@@ -10,7 +10,7 @@ done < <(git ls-files '*.sh' '.ci/run')
 nothing="$reports/nothing.c"
 echo 'typedef int not_empty;' >"$nothing"
 while read -r header; do
-  include=${header%%/include/*}/include
+  include=$(dirname "$header")
   includes=(-I "$include" -I c_src/faultcheck/include -I c_src/e2e/include)
   strict=(-Wall -Wextra -pedantic -Werror -fsyntax-only "${includes[@]}")
   check "$header as C99" gcc -std=c99 "${strict[@]}" -include "$header" -x c "$nothing"

@@ -47,6 +47,7 @@ fi
   "$work"/mutant/*.o -o "$work/lib/$soname" || exit 2
 ln -s "$soname" "$work/lib/libfaultcheck.so"
 "${CC:-cc}" -std=c99 -O1 -g -fPIC -shared -pthread -fvisibility=hidden -I "$here/../include" -I "$here/../threads" \
-  "$here/../threads/fc_threads.c" -o "$work/lib/libfc_threads.so" -L "$work/lib" -lfaultcheck "-Wl,-rpath,\$ORIGIN" || exit 2
+  "$here/../threads/fc_threads.c" -o "$work/lib/libfc_threads.so" -L "$work/lib" -lfaultcheck \
+  "-Wl,-rpath,\$ORIGIN" || exit 2
 "${CC:-cc}" -std=c99 -O1 -g -w -ffreestanding -ffp-contract=off -fPIC -shared -I "$embedded" "$embedded/fi.c" \
   "$here/../embedded/test/fi_replies.c" -o "$work/lib/libfi_model.so"
