@@ -45,7 +45,7 @@ fail(Line) ->
 settings() ->
     Forty = [40, 40, 40, 40],
     #{
-        first_seed => 7000000,
+        first_seed => 8000000,
         worlds => [
             {'W1', Forty, 20000, 5000},
             {'W2', Forty, 20000, 5000},
