@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes the documentation of the interfaces: _build/docs/index.html, from the C headers (doxygen) and the Erlang
-# modules (edoc). A public function, type or member without a comment is an error, so is a broken one; exit status 1 then.
+# modules (edoc). A public function, type or member without a comment is an error, so is a broken one: exit status 1.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 docs=_build/docs
