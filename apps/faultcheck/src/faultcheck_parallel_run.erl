@@ -33,7 +33,7 @@ at_once(Branches, Before) ->
     Started = [
         spawn_monitor(fun() ->
             receive
-                {Caller, go} -> exit({done, sequence(Branch, Before)})
+                {Caller, go} -> Caller ! {self(), sequence(Branch, Before)}
             end
         end)
      || Branch <- Branches
@@ -43,7 +43,9 @@ at_once(Branches, Before) ->
 
 ended({Pid, Monitor}) ->
     receive
-        {'DOWN', Monitor, process, Pid, {done, Outcome}} -> Outcome;
+        {Pid, Outcome} ->
+            true = demonitor(Monitor, [flush]),
+            Outcome;
         {'DOWN', Monitor, process, Pid, Reason} -> error({branch_died, Reason})
     end.
 
