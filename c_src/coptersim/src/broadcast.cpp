@@ -85,6 +85,7 @@ void Broadcasts::clear() {
     row_of_.clear();
     privates.clear();
     count = 0;
+    last_at = 0;
     quiet_until_ = 0;
 }
 
@@ -132,7 +133,8 @@ PrivateMap &Broadcasts::make_private(std::int32_t receiver, std::uint64_t born,
     const auto at = lower_map(privates, receiver);
     if (at != privates.end() && at->receiver == receiver)
         return *at;
-    PrivateMap &map = *privates.insert(at, PrivateMap{receiver, std::move(channel), false, {}});
+    PrivateMap &map =
+        *privates.insert(at, PrivateMap{receiver, std::move(channel), false, last_at, {}});
     for (const TableRow &row : now)
         if (knows(row, receiver, born)) {
             const LinkState link{static_cast<std::uint16_t>(row.number), true};

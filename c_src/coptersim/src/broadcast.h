@@ -38,6 +38,7 @@ struct PrivateMap {
     std::int32_t receiver;
     std::string channel;
     bool armed;                   // the channel has faults, or is watched
+    std::uint64_t heard_at;       // us, when it last accepted a message of anybody
     std::vector<PrivateRow> rows; // in ascending id
     PrivateRow *find(std::int32_t id);
     PrivateRow &row(std::int32_t id); // made when missing
@@ -46,7 +47,8 @@ struct PrivateMap {
 
 class Broadcasts {
   public:
-    std::uint64_t count = 0; // made so far
+    std::uint64_t count = 0;   // made so far
+    std::uint64_t last_at = 0; // us, of the latest one that somebody could hear
 
     // Rows in ascending id; `before` holds what was known before the broadcast of this step, and is
     // of use only in a step with one. Both have the same ids.

@@ -42,6 +42,7 @@ void receive(const csim &sim, const std::uint8_t *bytes, std::size_t size, std::
     row.from = from;
     row.at = now;
     row.link = link;
+    map->heard_at = now;
 }
 
 std::int64_t depth_of(const csim &sim, const PrivateMap &map) {
@@ -118,6 +119,8 @@ void fill_broadcast(csim &sim, const StepPlan &plan, const Step &step) {
     World &world = sim.world;
     Broadcasts &broadcasts = world.broadcasts;
     broadcasts.start_broadcast();
+    if (world.copters.size() > 1)
+        broadcasts.last_at = step.end;
     for (std::size_t i = 0; i < world.copters.size(); ++i) {
         TableRow &row = broadcasts.now[broadcasts.row_of(i)];
         const Heard heard = heard_of(world.copters.belief, i, sim.stamps[i]);

@@ -47,6 +47,8 @@ struct Params {
     double plausibility = 0;
     double plausible_speed = 15;
     double plausible_jump = 2;
+    double silence_us = 0;
+    double state_guard = 0;
     double protect = kProtectNone;
     // Those of copters added from now on.
     csim_gains gains{0.8, 0, 0, 2, 0, 0, 0, 0, 0, 0.5, 6};

@@ -3,6 +3,7 @@
 #include "step.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace coptersim {
 
@@ -17,6 +18,16 @@ void probe_angle(csim &sim, const ActiveProbe &active, Column *angles) {
     probe(sim, active, &angle);
     (*angles)[active.copter] = wrap(angle);
     sim.world.copters.own_attitude[active.copter] = 1;
+}
+
+// A position that jumps is not believed when there is a guard.
+void probe_position(csim &sim, const ActiveProbe &active, Column *positions) {
+    const double guard = sim.world.params.state_guard;
+    const double reckoned = (*positions)[active.copter];
+    double position = reckoned;
+    probe(sim, active, &position);
+    if (guard == 0 || std::fabs(position - reckoned) <= guard)
+        (*positions)[active.copter] = position;
 }
 
 // The active range probes of a copter and anchor.
@@ -61,10 +72,10 @@ void probe_copters(csim &sim, std::uint64_t end) {
             probe_angle(sim, active, &belief.yaw);
             break;
         case ProbeKind::px:
-            probe(sim, active, &belief.px[active.copter]);
+            probe_position(sim, active, &belief.px);
             break;
         case ProbeKind::py:
-            probe(sim, active, &belief.py[active.copter]);
+            probe_position(sim, active, &belief.py);
             break;
         default:
             fc_probe_u64(sim.faults, active.name.c_str(), &sim.stamps[active.copter]);

@@ -83,6 +83,13 @@ void add_line(const Params &params, const Own &own, const Line &line, Push *push
     add(near.x, near.y, own, params.line_weight, push);
 }
 
+void add_stop(const Own &own, Push *push) {
+    constexpr double kPerSpeed = 1.5; // s/m
+    push->x += kPerSpeed * own.vx;
+    push->y += kPerSpeed * own.vy;
+    push->any = true;
+}
+
 Override command_of(const Params &params, const Push &push, double yaw) {
     double x = params.override_gain * push.x, y = params.override_gain * push.y;
     const double length = length_of(x, y);

@@ -37,6 +37,9 @@ struct Push {
 void add_copter(const Params &params, const Own &own, const Other &other, Push *push);
 void add_line(const Params &params, const Own &own, const Line &line, Push *push);
 
+// Towards where the copter flies, so that the command that follows brakes.
+void add_stop(const Own &own, Push *push);
+
 // The command that follows a push, in -1..1; 0 when it is not finite.
 struct Override {
     double roll, pitch;

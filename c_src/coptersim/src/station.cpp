@@ -128,6 +128,12 @@ void add_lines(const csim &sim, const Own &own, std::size_t i, bool listed, Push
     }
 }
 
+// Nobody has been heard for long: it may be deaf.
+bool is_silent(const World &world, std::uint64_t heard_at, std::uint64_t now) {
+    return world.params.silence_us > 0 && world.broadcasts.last_at > 0 &&
+           static_cast<double>(now - heard_at) > world.params.silence_us;
+}
+
 } // namespace
 
 Own own_of(const World &world, std::size_t i) {
@@ -140,6 +146,8 @@ void look_around(csim &sim, const Step &step, std::size_t i) {
     const Own own = own_of(sim.world, i);
     Push push;
     if (is_finite(own)) {
+        if (is_silent(sim.world, sim.world.broadcasts.last_at, step.end))
+            add_stop(own, &push);
         add_shared(sim, step, own, i, &push);
         add_lines(sim, own, i, !sim.brute_force, &push);
     }
@@ -150,6 +158,8 @@ void look_around_in(csim &sim, const PrivateMap &map, std::uint64_t now, std::si
     const Own own = own_of(sim.world, i);
     Push push;
     if (is_finite(own)) {
+        if (is_silent(sim.world, map.heard_at, now))
+            add_stop(own, &push);
         add_private(sim.world.params, map, own, now, &push);
         add_lines(sim, own, i, false, &push);
     }

@@ -181,6 +181,8 @@ class RandomWorld {
             parameters_.push_back({"brake_gain", random.between(0, 2)});
             parameters_.push_back({"plausibility", random.below(2)});
             parameters_.push_back({"protect", random.below(3)});
+            parameters_.push_back({"silence_us", 2e5 * random.below(3)});
+            parameters_.push_back({"state_guard", 0.5 * random.below(2)});
             parameters_.push_back({"acc_p", random.between(0, 0.3)});
             parameters_.push_back({"pos_i", random.between(0, 0.1)});
             parameters_.push_back({"drag_linear", random.between(0, 0.1)});
