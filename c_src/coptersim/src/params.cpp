@@ -96,7 +96,7 @@ const ParamRow kTable[] = {
 constexpr int kCount = static_cast<int>(sizeof kTable / sizeof *kTable);
 
 // Larger zones keep copters apart that work well; the rest is against faults. docs/coptersim.md,
-// section 9, tells what each is for. Messages every 50 ms belong to it, which is a matter of the
+// section 16, tells what each is for. Messages every 50 ms belong to it, which is a matter of the
 // run.
 const Setting kHardened[] = {
     {"comfort_radius", 1.1}, {"base_radius", 1.5},    {"brake_gain", 2},

@@ -56,7 +56,8 @@ class Digest {
 struct WorldOptions {
     int copters = 10;
     bool faults = true;
-    int id_step = 1; // ids are id_first + i * id_step
+    bool its_always_rare = false; // every 20 steps: quick with many copters
+    int id_step = 1;              // ids are id_first + i * id_step
     int id_first = 0;
 };
 
@@ -215,6 +216,8 @@ class RandomWorld {
         piece.steps = static_cast<unsigned>(1 + random.below(at % 4 == 0 ? 300 : 40));
         piece.dt_us = random.below(4) == 0 ? 10000 : 5000;
         piece.its_div = random.below(6) == 0 ? 300 : 1 + random.below(25);
+        if (options_.its_always_rare)
+            piece.its_div = 20;
         piece.anchor_div = random.below(25);
         pieces_.push_back(std::move(piece));
     }

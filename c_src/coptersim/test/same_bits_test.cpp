@@ -21,10 +21,9 @@ using Snapshot = std::unique_ptr<csim_snapshot, Free>;
 
 void keep_quiet(void *, const fc_error *) {}
 
-Simulation make(bool brute_force = false, int threads = 1, const char *build = nullptr) {
+Simulation make(bool brute_force = false, const char *build = nullptr) {
     csim_options options = CSIM_OPTIONS_INIT;
     options.brute_force = brute_force;
-    options.threads = threads;
     options.build = build;
     Simulation sim(csim_new(&options));
     fc_set_error_callback(csim_faults(sim.get()), keep_quiet, nullptr);
@@ -70,16 +69,7 @@ void check_world(std::uint64_t seed, int copters) {
     CHECK_INT(csim_reset(again.get()), CSIM_OK);
     CHECK(same(seed, "a simulation that was reset", expected, world.run(again.get())));
     for (int i = 0; const char *build = csim_build_at(i); ++i)
-        CHECK(same(seed, build, expected, world.run(make(false, 1, build).get())));
-}
-
-void check_threads(std::uint64_t seed) {
-    WorldOptions options;
-    options.copters = 100;
-    const RandomWorld world(seed, options);
-    const std::uint64_t expected = world.run(make().get());
-    CHECK(same(seed, "three threads", expected, world.run(make(false, 3).get())));
-    CHECK(same(seed, "all pairs of 100, two threads", expected, world.run(make(true, 2).get())));
+        CHECK(same(seed, build, expected, world.run(make(false, build).get())));
 }
 
 // Without faults, whose random streams depend on names, ids matter by their order alone.
@@ -100,6 +90,5 @@ int main(int argc, char **argv) {
         check_world(static_cast<std::uint64_t>(seed), 2 + seed % 13);
         check_ids(static_cast<std::uint64_t>(seed));
     }
-    check_threads(2000);
     return CHECK_RESULT();
 }
