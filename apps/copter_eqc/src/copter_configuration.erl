@@ -67,15 +67,10 @@ values(hardened) ->
     #{
         comfort_radius => 1.1,
         base_radius => 1.5,
+        max_corr => 0.07,
         brake_gain => 2.0,
         override_gain => 0.6,
-        gate => 3,
-        comfort_error_gain => 1.0,
-        risk_age_gain => 1.0,
-        plausibility => 1,
-        protect => 2,
-        silence_us => 300000,
-        state_guard => 0.1
+        silence_us => 300000
     }.
 
 %% @doc How often each copter tells the others where it is.
