@@ -4,6 +4,8 @@
 
 namespace {
 
+constexpr int kPieces = 5; // of the world: the thread sanitizer is slow
+
 void keep_quiet(void *, const fc_error *) {}
 
 std::uint64_t run(const RandomWorld &world, int threads) {
@@ -11,7 +13,10 @@ std::uint64_t run(const RandomWorld &world, int threads) {
     options.threads = threads;
     csim *sim = csim_new(&options);
     fc_set_error_callback(csim_faults(sim), keep_quiet, nullptr);
-    const std::uint64_t digest = world.run(sim);
+    world.build(sim);
+    for (int at = 0; at < kPieces; ++at)
+        world.run_piece(sim, at, 1000);
+    const std::uint64_t digest = RandomWorld::digest(sim);
     csim_free(sim);
     return digest;
 }
@@ -23,8 +28,7 @@ int main() {
     options.copters = 70;
     options.its_always_rare = true;
     const RandomWorld world(2000, options);
-    const std::uint64_t expected = run(world, 1);
-    CHECK(run(world, 2) == expected);
+    CHECK(run(world, 1) == run(world, 2));
     options.copters = 100;
     const RandomWorld larger(2001, options);
     CHECK(run(larger, 1) == run(larger, 3));
