@@ -52,23 +52,23 @@ coverage:  ## C line coverage of the airbag under three fault classes (lcov HTML
 
 airbag-report:  ## repeat the experiments of the paper: _build/reports/airbag.md
 	@scripts/setup.sh --quiet demo
-	@scripts/airbag_report.sh
+	@scripts/report.sh airbag_report airbag log
 
 e2e-report:  ## Hamming distances; which E2E profile detects which fault, how often: _build/reports/e2e.md
 	@scripts/setup.sh --quiet demo
-	@scripts/e2e_report.sh
+	@scripts/report.sh e2e_report e2e
 
 copter-campaign:  ## which faults make quadcopters collide, and what helps: _build/reports/copter_campaign.md
 	@scripts/setup.sh --quiet demo
-	@scripts/copter_campaign.sh
+	@scripts/report.sh copter_campaign copter_campaign
 
 copter-figures:  ## the figures of Papers II and III flown again, checked: _build/reports/copter_figures.md
 	@scripts/setup.sh --quiet demo
-	@scripts/copter_figures.sh
+	@scripts/report.sh copter_figures copter_figures
 
 search-report:  ## what guided search brings over chance: _build/reports/search.md
 	@scripts/setup.sh --quiet demo
-	@scripts/search_report.sh
+	@scripts/report.sh copter_search_report search
 
 mutants:  ## how many seeded defects of the C libraries the models and the C tests find: _build/reports/mutants.md
 	@scripts/setup.sh --quiet demo

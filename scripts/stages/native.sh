@@ -6,7 +6,7 @@ select=()
 targets=()
 if [ "$kind" = tsan ]; then
   select=(-L threads)
-  targets=(fc_thread_test fc_threads_test fi_thread_test)
+  targets=(fc_thread_test fc_threads_test fi_thread_test csim_threads_test)
 fi
 
 scripts/build_native.sh "$kind" "${targets[@]}" >"$reports/build-$kind.log" 2>&1 || {

@@ -3,7 +3,6 @@
 %% For properties that pass only if another property fails in the expected way. The other property
 %% runs as any user's would, in a process of its own, with generator and shrinker as they are.
 -module(airbag_unsafe).
--include_lib("faultcheck/include/faultcheck.hrl").
 
 -export([fails_as_expected/2, find/2]).
 -export_type([found/0]).
@@ -40,41 +39,15 @@ expected(Options, Commands) ->
 %% @doc The shrunk failure of the property over these options.
 -spec find(airbag_options:options(), Seed :: non_neg_integer()) -> found().
 find(Options, Seed) ->
-    Caller = self(),
-    {Pid, Monitor} = spawn_monitor(fun() -> Caller ! {self(), result(Options, Seed)} end),
-    receive
-        {Pid, Result} ->
-            true = demonitor(Monitor, [flush]),
-            found(Result);
-        {'DOWN', Monitor, process, Pid, Reason} ->
-            error({search_ended, Reason})
+    %% Sizes from the upper half: short sequences hold no failure.
+    Sizes = [{numtests, ?TESTS}, {start_size, 20}, {max_size, 42}],
+    Make = fun() -> safe(Options) end,
+    case faultcheck_expected:failure({Make, fun airbag_sut:stop/0}, Seed, Sizes) of
+        {found, [Commands]} -> {found, Commands};
+        not_found -> not_found
     end.
 
-result(Options, Seed) ->
-    try
-        search(Options, Seed)
-    catch
-        error:Reason:Stack -> {raised, Reason, Stack}
-    end.
-
-found({raised, Reason, Stack}) -> erlang:raise(error, Reason, Stack);
-found(Found) -> Found.
-
-%% Sizes from the upper half: short sequences hold no failure. PropEr draws from the random state of
-%% this process, which it seeds before the set-up function runs.
-search(Options, Seed) ->
+safe(Options) ->
     %% An airbag that cannot be started is told here, in its own words.
     ok = airbag_eqc:begin_test(Options),
-    Silent = airbag_eqc:safe(Options, fun(_, _) -> ok end),
-    Seeded = ?SETUP(fun() -> seed(Seed) end, Silent),
-    Sizes = [{numtests, ?TESTS}, {start_size, 20}, {max_size, 42}],
-    Result = proper:quickcheck(Seeded, [long_result, quiet | Sizes]),
-    ok = airbag_sut:stop(),
-    case Result of
-        true -> not_found;
-        [Commands] -> {found, Commands}
-    end.
-
-seed(Seed) ->
-    _ = rand:seed(exsss, Seed),
-    fun() -> ok end.
+    airbag_eqc:safe(Options, fun(_, _) -> ok end).

@@ -39,19 +39,7 @@
 
 %% @doc Writes the report into a directory and ends the VM.
 -spec main([file:filename()]) -> no_return().
-main([Dir]) ->
-    try
-        ok = run(Dir, settings()),
-        halt(0)
-    catch
-        error:{cb, Reason} -> fail(cb_error:format(Reason));
-        throw:{enumeration, Reason} -> fail(faultcheck_enumerate:format_error(Reason))
-    end.
-
--spec fail(unicode:chardata()) -> no_return().
-fail(Line) ->
-    io:format(standard_error, "copter-campaign: ~ts~n", [Line]),
-    halt(3).
+main([Dir]) -> faultcheck_written:halt("copter-campaign", fun() -> run(Dir, settings()) end).
 
 %% @doc What `make copter-campaign' runs.
 -spec settings() -> settings().

@@ -24,15 +24,7 @@
 
 %% @doc Writes the report into a directory and ends the VM.
 -spec main([file:filename()]) -> no_return().
-main([Dir]) ->
-    try run(Dir) of
-        true -> halt(0);
-        false -> halt(1)
-    catch
-        error:{cb, Reason} ->
-            io:format(standard_error, "copter-figures: ~ts~n", [cb_error:format(Reason)]),
-            halt(3)
-    end.
+main([Dir]) -> faultcheck_written:halt("copter-figures", fun() -> run(Dir) end).
 
 %% @doc Writes the report; whether every ordering holds.
 -spec run(file:filename()) -> boolean().

@@ -27,18 +27,7 @@ main([Dir]) -> written(Dir, settings());
 main([Dir, "short"]) -> written(Dir, short(settings())).
 
 -spec written(file:filename(), settings()) -> no_return().
-written(Dir, Settings) ->
-    try run(Dir, Settings) of
-        ok -> halt(0);
-        {error, Reason} -> fail(faultcheck_enumerate:format_error(Reason))
-    catch
-        error:{cb, Reason} -> fail(cb_error:format(Reason))
-    end.
-
--spec fail(unicode:chardata()) -> no_return().
-fail(Line) ->
-    io:format(standard_error, "search-report: ~ts~n", [Line]),
-    halt(3).
+written(Dir, Settings) -> faultcheck_written:halt("search-report", fun() -> run(Dir, Settings) end).
 
 %% @doc What `make search-report' runs.
 -spec settings() -> settings().

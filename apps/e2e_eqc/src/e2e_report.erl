@@ -13,15 +13,7 @@
 
 %% @doc Writes the report into a directory and ends the VM.
 -spec main([file:filename()]) -> no_return().
-main([Dir]) ->
-    try
-        ok = run(Dir, settings()),
-        halt(0)
-    catch
-        error:{cb, Reason} ->
-            io:format(standard_error, "e2e-report: ~ts~n", [cb_error:format(Reason)]),
-            halt(3)
-    end.
+main([Dir]) -> faultcheck_written:halt("e2e-report", fun() -> run(Dir, settings()) end).
 
 %% @doc What `make e2e-report' runs.
 -spec settings() -> settings().

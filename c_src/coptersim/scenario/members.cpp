@@ -43,12 +43,13 @@ std::uint64_t as_whole(const node &value, const std::string &where, std::uint64_
     return integer;
 }
 
-const std::string &as_text(const node &value, const std::string &where) {
+const std::string &as_text(const node &value, std::string_view where) {
     if (value.kind != node::text) {
-        wrong_kind(value, where, "a text");
+        wrong_kind(value, std::string(where), "a text");
     }
     if (value.characters.find('\0') != std::string::npos) {
-        throw located_error(value.line, where + ": a text without the character 0 expected");
+        throw located_error(value.line,
+                            std::string(where) + ": a text without the character 0 expected");
     }
     return value.characters;
 }
@@ -76,12 +77,13 @@ std::vector<double> as_numbers(const node &value, const std::string &where, std:
     return numbers;
 }
 
-const std::vector<node> &as_array(const node &value, const std::string &where, std::size_t most) {
+const std::vector<node> &as_array(const node &value, std::string_view where, std::size_t most) {
     if (value.kind != node::array) {
-        wrong_kind(value, where, "an array");
+        wrong_kind(value, std::string(where), "an array");
     }
     if (value.items.size() > most) {
-        throw located_error(value.line, where + ": " + std::to_string(value.items.size()) +
+        throw located_error(value.line, std::string(where) + ": " +
+                                            std::to_string(value.items.size()) +
                                             " items, at most " + std::to_string(most));
     }
     return value.items;

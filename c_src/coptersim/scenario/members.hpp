@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace csim_scenario {
@@ -18,12 +19,12 @@ constexpr std::uint64_t largest_whole = std::uint64_t{1} << 53;
 double as_number(const node &value, const std::string &where);
 std::uint64_t as_whole(const node &value, const std::string &where, std::uint64_t least,
                        std::uint64_t most);
-const std::string &as_text(const node &value, const std::string &where);
+const std::string &as_text(const node &value, std::string_view where);
 bool as_truth(const node &value, const std::string &where);
 /* Exactly so many numbers. */
 std::vector<double> as_numbers(const node &value, const std::string &where, std::size_t count);
 /* At most so many items. */
-const std::vector<node> &as_array(const node &value, const std::string &where, std::size_t most);
+const std::vector<node> &as_array(const node &value, std::string_view where, std::size_t most);
 
 class members {
   public:

@@ -7,7 +7,7 @@
  * the same bytes. */
 #include "trace_of.hpp"
 
-#include "../../test/check.h"
+#include "check.h"
 #include "../../test/gzip_file.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
  * scenario. */
 #include "trace_of.hpp"
 
-#include "../../test/check.h"
+#include "check.h"
 #include "../../test/gzip_file.h"
 #include "coptersim_wrapper.h"
 #include "faultcheck_packet_wrapper.h"

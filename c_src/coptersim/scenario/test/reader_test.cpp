@@ -1,7 +1,7 @@
 /* reader_test.cpp: what a scenario means, and what is said of those that mean nothing. */
 #include "scenario.hpp"
 
-#include "../../test/check.h"
+#include "check.h"
 
 #include <functional>
 
