@@ -3,7 +3,8 @@
 
 %% By hand: 0 of n gives z^2 / (n + z^2); 5 of 50 from R's prop.test(5, 50, correct = FALSE).
 intervals_test() ->
-    {0.0, High} = copter_statistics:wilson(0, 20000),
+    {Zero, High} = copter_statistics:wilson(0, 20000),
+    ?assert(Zero == 0),
     ?assert(abs(High - 3.841459 / 20003.841459) < 1.0e-9),
     {Low5, High5} = copter_statistics:wilson(5, 50),
     ?assert(abs(Low5 - 0.04347) < 1.0e-4),
