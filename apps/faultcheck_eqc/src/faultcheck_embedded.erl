@@ -171,7 +171,7 @@ slot_or_free(Id, S) ->
 %% ---- the property -------------------------------------------------------------------------------
 
 %% @doc The embedded profile does what its description says, and alters values as libfaultcheck.
--spec agrees() -> proper:outer_test().
+-spec agrees() -> proper:test().
 agrees() ->
     ?FORALL(Commands, more_commands(3, commands(?MODULE)), begin
         ok = faultcheck_embedded_sut:prepare(),
