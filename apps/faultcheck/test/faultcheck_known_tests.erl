@@ -24,7 +24,8 @@ a_passed_test_passes_with_its_samples_test() ->
     Outcome = faultcheck_known:outcome(passed, [sample()], [], <<>>),
     {true, Text} = told(Outcome, 3),
     ?assertNotEqual(nomatch, string:find(Text, "OK: Passed 3 test(s)")),
-    ?assertNotEqual(nomatch, string:find(Text, "100% seven")).
+    %% PropEr 1.5 writes decimals.
+    ?assertMatch({match, _}, re:run(Text, "100(\\.0+)?% +seven")).
 
 a_rejected_test_is_rejected_test() ->
     Outcome = faultcheck_known:outcome(rejected, [], [], <<>>),
