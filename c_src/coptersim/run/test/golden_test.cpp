@@ -7,8 +7,8 @@
  * the same bytes. */
 #include "trace_of.hpp"
 
-#include "check.h"
 #include "../../test/gzip_file.h"
+#include "check.h"
 
 #include <algorithm>
 #include <cmath>

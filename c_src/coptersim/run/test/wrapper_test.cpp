@@ -7,8 +7,8 @@
  * scenario. */
 #include "trace_of.hpp"
 
-#include "check.h"
 #include "../../test/gzip_file.h"
+#include "check.h"
 #include "coptersim_wrapper.h"
 #include "faultcheck_packet_wrapper.h"
 #include "faultcheck_wrapper.h"
