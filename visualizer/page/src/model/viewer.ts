@@ -112,4 +112,7 @@ export interface Viewer {
 
   // For curves and trails: the frames of the run from fromUs to toUs, oldest first.
   framesBetween(fromUs: number, toUs: number): readonly Frame[];
+
+  // All that is held of the run, as it would stand in a log, oldest first: for reports and exports.
+  held(): readonly Message[];
 }
