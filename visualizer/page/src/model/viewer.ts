@@ -5,7 +5,16 @@
 // Times are simulated microseconds; lengths metres; angles radians.
 
 import type {
-  Ack, CaseInfo, Faults, Frame, Message, Ranges, Risk, Status, VizEvent, World,
+  Ack,
+  CaseInfo,
+  Faults,
+  Frame,
+  Message,
+  Ranges,
+  Risk,
+  Status,
+  VizEvent,
+  World,
 } from '../../../codec/messages';
 
 // Where the data comes from.
@@ -76,7 +85,15 @@ export interface ViewerState {
 
 // What changed since the listener was last called.
 export type Topic =
-  | 'source' | 'status' | 'case' | 'world' | 'faults' | 'events' | 'time' | 'buffer' | 'playback'
+  | 'source'
+  | 'status'
+  | 'case'
+  | 'world'
+  | 'faults'
+  | 'events'
+  | 'time'
+  | 'buffer'
+  | 'playback'
   | 'selection';
 
 export interface Viewer {

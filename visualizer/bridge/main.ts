@@ -1,0 +1,4 @@
+// Where the bridge begins.
+import { WebSocketServer } from 'ws';
+
+console.log(typeof WebSocketServer);
