@@ -149,6 +149,17 @@ export interface Ack {
   text: string;
 }
 
+// What a page asks of the player, as the bridge passes it on.
+export interface Control {
+  client: string;
+  token: string;
+  seq: number;
+  verb: string;
+  object: number; // -1: none or all
+  args: number[];
+  text: string;
+}
+
 // What comes through a channel, decoded.
 export type Message =
   | { channel: 'VIZ_FRAME'; value: Frame }
