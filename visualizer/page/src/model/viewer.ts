@@ -16,6 +16,9 @@ import type {
   VizEvent,
   World,
 } from '../../../codec/messages';
+import type { PackedFrame } from './packed_frame';
+import type { PackedRisk } from './packed_risk';
+import type { TimeBuffer } from './time_buffer';
 
 // Where the data comes from.
 export type SourceKind = 'none' | 'file' | 'socket';
@@ -75,6 +78,7 @@ export interface ViewerState {
   playing: boolean;
   speed: number; // 0.05 to 20
   loop: { fromUs: number; toUs: number } | null;
+  stopAtCollision: boolean; // a replay stops at each collision until it is told to play on
   currentCommand: number; // index into caseInfo.commands, -1 before the first
   failingCommand: number; // the same, -1 when none failed
 
@@ -115,6 +119,7 @@ export interface Viewer {
   seekEvent(direction: 1 | -1): void;
   setSpeed(factor: number): void;
   setLoop(range: { fromUs: number; toUs: number } | null): void;
+  setStopAtCollision(on: boolean): void;
   toLive(): void;
   showCollision(index: number): void; // seeks to 1 s before
 
@@ -127,7 +132,18 @@ export interface Viewer {
   // To the player; resolves with its answer, or one that is not ok after 1 s without any.
   control(verb: string, object?: number, args?: readonly number[], text?: string): Promise<Ack>;
 
-  // For curves and trails: the frames of the run from fromUs to toUs, oldest first.
+  // Told in one line of what the player refused that was asked by playing, seeking and observing.
+  onRefusal(listener: (line: string) => void): () => void;
+
+  // For drawings: the run's frames in columns (packed_frame.ts), the one shown, and the observer's
+  // contours at that moment; reading them allocates nothing.
+  readonly packed: {
+    readonly frames: TimeBuffer<PackedFrame>;
+    readonly shown: PackedFrame | null;
+    readonly risk: PackedRisk | null;
+  };
+
+  // The frames of the run from fromUs to toUs, oldest first.
   framesBetween(fromUs: number, toUs: number): readonly Frame[];
 
   // All that is held of the run, as it would stand in a log, oldest first: for reports and exports.
