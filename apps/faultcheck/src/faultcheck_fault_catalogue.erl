@@ -1,8 +1,9 @@
 %% @doc Every fault model that models can name: its term, its parameters, what it does, and what the
-%% standards call it. docs/faults.md is markdown/0.
+%% standards call it. docs/faults.md is markdown/0, the visualizer's form is made from json/0;
+%% scripts/fault_catalogue.sh writes both files.
 -module(faultcheck_fault_catalogue).
 
--export([models/0, find/1, term/1, markdown/0]).
+-export([models/0, find/1, term/1, markdown/0, json/0]).
 -export_type([entry/0, class/0, stage/0, kind/0]).
 
 %% What kind of value a parameter is; faultcheck_fault_parameter checks them.
@@ -230,3 +231,25 @@ standards() ->
     "Those of channels: ISO 26262-6, Annex D (exchange of information), and the fault models of\n"
     "the AUTOSAR E2E protocol. Those of sensors and bits: the failure modes of ISO 26262-5,\n"
     "Annex D, or their usual engineering name.\n".
+
+%% ---- for the visualizer's page ----------------------------------------------------------------
+
+%% @doc The text of visualizer/page/src/panels/generated/fault_models.json.
+-spec json() -> binary().
+json() ->
+    Generated = "from apps/faultcheck/src/faultcheck_fault_catalogue.erl by json/0",
+    faultcheck_json:pretty({object, [
+        {generated, {text, Generated}},
+        {models, [described(Entry) || Entry <- models()]}
+    ]}).
+
+described(#{name := Name, class := Class, stage := Stage, parameters := Parameters} = Entry) ->
+    #{meaning := Meaning, standard := Standard} = Entry,
+    {object, [
+        {name, Name},
+        {class, Class},
+        {stage, Stage},
+        {parameters, [{object, [{name, P}, {kind, Kind}]} || {P, Kind} <- Parameters]},
+        {meaning, {text, Meaning}},
+        {standard, {text, Standard}}
+    ]}.

@@ -115,5 +115,11 @@ the_page_is_up_to_date_test() ->
 page() ->
     filename:join([root(code:lib_dir(faultcheck)), "docs", "faults.md"]).
 
+%% Made with `faultcheck_fault_catalogue:json/0'.
+the_list_of_the_visualizers_form_is_up_to_date_test() ->
+    Path = "visualizer/page/src/panels/generated/fault_models.json",
+    {ok, List} = file:read_file(filename:join(root(code:lib_dir(faultcheck)), Path)),
+    ?assertEqual(faultcheck_fault_catalogue:json(), List).
+
 %% The clone, from _build/PROFILE/lib/faultcheck.
 root(Dir) -> lists:foldl(fun(_, D) -> filename:dirname(D) end, Dir, [1, 2, 3, 4]).

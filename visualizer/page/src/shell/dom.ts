@@ -4,7 +4,9 @@ type Attributes = Readonly<Record<string, string | boolean | undefined>>;
 
 // `true' sets an empty attribute, `false' and undefined none.
 export function el<K extends keyof HTMLElementTagNameMap>(
-  tag: K, attributes: Attributes = {}, ...children: readonly (Node | string)[]
+  tag: K,
+  attributes: Attributes = {},
+  ...children: readonly (Node | string)[]
 ): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {

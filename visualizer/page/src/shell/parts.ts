@@ -36,5 +36,8 @@ export interface Outside {
 
 // mountShell(root, viewer, settings, outside) in shell.ts makes one.
 export type MountShell = (
-  root: HTMLElement, viewer: Viewer, settings: SettingsStore, outside: Outside,
+  root: HTMLElement,
+  viewer: Viewer,
+  settings: SettingsStore,
+  outside: Outside,
 ) => Shell;

@@ -1,7 +1,15 @@
 // What the user has chosen, kept in localStorage: theme, units, layers, trails, speed. No DOM.
 
 export const layerNames = [
-  'grid', 'terrain', 'risk', 'comfort', 'trails', 'perceived', 'anchors', 'ranges', 'labels',
+  'grid',
+  'terrain',
+  'risk',
+  'comfort',
+  'trails',
+  'perceived',
+  'anchors',
+  'ranges',
+  'labels',
 ] as const;
 export type LayerName = (typeof layerNames)[number];
 
@@ -24,8 +32,15 @@ export const defaultSettings: Settings = {
   length: 'm',
   angle: 'deg',
   layers: {
-    grid: true, terrain: true, risk: true, comfort: true, trails: true, perceived: true, anchors: true,
-    ranges: false, labels: true,
+    grid: true,
+    terrain: true,
+    risk: true,
+    comfort: true,
+    trails: true,
+    perceived: true,
+    anchors: true,
+    ranges: false,
+    labels: true,
   },
   trail: 2,
   speed: 1,
@@ -53,7 +68,9 @@ export function createSettings(memory: Memory | null): SettingsStore {
     listeners.forEach((listener) => listener(value));
   };
   return {
-    get value() { return value; },
+    get value() {
+      return value;
+    },
     update,
     toggleLayer: (name) => update({ layers: { ...value.layers, [name]: !value.layers[name] } }),
     listen: (listener) => {

@@ -18,8 +18,12 @@ export const mountShell: MountShell = (root, _viewer, _settings, _outside) => {
   );
   let map: MapControls | null = null;
   return {
-    mapHost, timelineHost, curvesHost,
-    attachMap: (controls) => { map = controls; },
+    mapHost,
+    timelineHost,
+    curvesHost,
+    attachMap: (controls) => {
+      map = controls;
+    },
     notify: () => void map,
   };
 };
