@@ -198,11 +198,25 @@ typedef struct {
     int count;                                                             /* of copters */
     const int32_t *id;                                                     /* ascending */
     const double *px, *py, *pz, *vx, *vy, *roll, *pitch, *yaw, *e_r, *e_p; /* as csim_state */
-    const uint8_t *override_active; /* 0 or 1, as csim_station */
+    const uint8_t *override_active;     /* 0 or 1, as csim_station */
+    const double *set_roll, *set_pitch; /* the command that the latest step followed, -1..1 */
 } csim_columns_view;
 
 /* The columns of one view. */
 CSIM_API int csim_columns(const csim *sim, csim_view view, csim_columns_view *columns);
+
+/* A distance that a copter measured. */
+typedef struct {
+    int32_t anchor;  /* to this one */
+    double measured; /* m */
+    double expected; /* m, from the perceived position before the correction */
+    bool used;       /* it corrected the position; else the gate refused it */
+    uint64_t t_us;   /* end of the step */
+} csim_range;
+
+/* The latest distance that a copter measured to each anchor it has ranged to, in the order in which
+ * the anchors were added. Count as in csim_collisions. */
+CSIM_API int csim_ranges(const csim *sim, int32_t copter, csim_range *list, size_t *count);
 
 /* ---- Running ---- */
 

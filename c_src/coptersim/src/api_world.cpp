@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace coptersim;
 
@@ -235,8 +236,29 @@ int csim_columns(const csim *sim, csim_view view, csim_columns_view *columns) {
                 s.yaw.data(),
                 s.e_r.data(),
                 s.e_p.data(),
-                c.override_active.data()};
+                c.override_active.data(),
+                c.roll.data(),
+                c.pitch.data()};
     return CSIM_OK;
+}
+
+int csim_ranges(const csim *sim, int32_t copter, csim_range *list, size_t *count) {
+    std::size_t i = 0;
+    if (const int code = find_copter(sim, copter, "csim_ranges", &i))
+        return code;
+    if (count == nullptr)
+        return fail_null("csim_ranges", "count");
+    return guarded("csim_ranges", [&] {
+        const Ranging &ranging = sim->world.ranging;
+        std::vector<csim_range> ranges;
+        for (std::size_t k = 0; k < ranging.anchors().size(); ++k) {
+            const RangeMemory &memory = ranging.memories(i)[k];
+            if (memory.measured_at != 0)
+                ranges.push_back({ranging.anchors()[k].id, memory.measured, memory.expected,
+                                  memory.used, memory.measured_at});
+        }
+        return copy_out(ranges, list, count, "csim_ranges");
+    });
 }
 
 } // extern "C"

@@ -126,6 +126,11 @@ void correct(const Params &params, const RangeSample &sample, RangeMemory *memor
     const csim_gains &gains = copters->gains[i];
     const double expected = distance_to(sample.anchor, belief.px[i], belief.py[i], sample.altitude);
     double error = expected - sample.measured;
+    RangeMemory &memory = memories[which];
+    memory.measured_at = sample.now;
+    memory.measured = sample.measured;
+    memory.expected = expected;
+    memory.used = false;
     if (expected == 0 || !std::isfinite(error))
         return;
     const double size = std::min(std::fabs(error), gains.max_corr);
@@ -134,7 +139,7 @@ void correct(const Params &params, const RangeSample &sample, RangeMemory *memor
         ++copters->rejected[i];
         return;
     }
-    RangeMemory &memory = memories[which];
+    memory.used = true;
     error = std::clamp(error, -gains.max_corr, gains.max_corr);
     const double cx = (belief.px[i] - sample.anchor.x) * error / expected;
     const double cy = (belief.py[i] - sample.anchor.y) * error / expected;

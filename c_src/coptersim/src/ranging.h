@@ -25,8 +25,11 @@ struct RangeMemory {
     bool misfit = false;           // the last sample was one
     std::uint32_t misfits = 0;     // in a row
     std::uint32_t samples = 0;
-    double recent[kRecent] = {};   // m, errors of the last samples, a ring
-    double last_x = 0, last_y = 0; // m, correction vector of the last accepted sample
+    double recent[kRecent] = {};       // m, errors of the last samples, a ring
+    std::uint64_t measured_at = 0;     // us, the last sample; 0: none
+    double measured = 0, expected = 0; // m, of it
+    bool used = false;                 // it was accepted
+    double last_x = 0, last_y = 0;     // m, correction vector of the last accepted sample
     double pos_x = 0, pos_y = 0, vel_x = 0, vel_y = 0, acc_x = 0, acc_y = 0; // integral parts
 };
 
@@ -52,6 +55,9 @@ class Ranging {
 
     // The memories of one copter, in the order of anchors().
     RangeMemory *memories(std::size_t copter) {
+        return memories_.data() + copter * anchors_.size();
+    }
+    const RangeMemory *memories(std::size_t copter) const {
         return memories_.data() + copter * anchors_.size();
     }
 
