@@ -25,7 +25,7 @@ install_app() { # install_app BUILT_DIR NAME
     if [ -d "$1/$part" ]; then cp -rL "$1/$part" "$to/"; fi
   done
 }
-for app in c_bridge faultcheck eqc_compat; do
+for app in c_bridge faultcheck eqc_compat replay; do
   install_app "_build/default/lib/$app" "$app"
 done
 install_app _build/default/checkouts/rebar3_faultcheck rebar3_faultcheck
