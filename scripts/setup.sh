@@ -44,6 +44,7 @@ test    cmd:python3              python3
 test    cmd:arm-none-eabi-gcc    gcc-arm-none-eabi
 test    cmd:aarch64-linux-gnu-g++  g++-aarch64-linux-gnu
 test    cmd:qemu-aarch64         qemu-user
+test    cmd:ip                   iproute2
 coverage cmd:lcov                lcov
 docs    cmd:git                  git
 docs    cmd:erl                  erlang-base
