@@ -1,6 +1,43 @@
-// Where the page begins.
+// Where the page begins: viewer, shell and drawings are joined, and a source of data is found.
 import './main.css';
+import { createMap } from './map/map_view';
+import { mountShell } from './shell/shell';
+import { createSettings } from './shell/settings';
+import { browserViewer, bridgeUrl } from './source/browser';
+import { listCases } from './source/case_list';
+import { embeddedLog } from './source/embedded_log';
+import { followFragment } from './source/follow_fragment';
 
-const app = document.querySelector('#app');
-if (app) app.textContent = 'NO DATA';
-if (__VIZ_TEST__) window.__viz = { stats: () => ({}), state: () => ({}) };
+function memory(): Storage | null {
+  try {
+    return localStorage;
+  } catch {
+    return null; // a page from a file may not have any
+  }
+}
+
+async function begin(root: HTMLElement): Promise<void> {
+  const settings = createSettings(memory());
+  const viewer = browserViewer();
+  const socket = bridgeUrl(location);
+  const outside = {
+    memory: memory(),
+    ...(socket === null ? {} : { listCases: () => listCases(location.origin) }),
+  };
+  const shell = mountShell(root, viewer, settings, outside);
+  const map = createMap(shell.mapHost, viewer, settings);
+  shell.attachMap(map);
+  viewer.onRefusal((line) => shell.notify(line, true));
+  followFragment(viewer, window);
+  if (__VIZ_TEST__) window.__viz = { stats: () => map.stats(), state: () => viewer.state };
+  try {
+    const log = await embeddedLog(document);
+    if (log !== null) await viewer.openLog(log.bytes, log.name);
+    else if (socket !== null) viewer.connect(socket);
+  } catch (error) {
+    shell.notify(error instanceof Error ? error.message : String(error), true);
+  }
+}
+
+const root = document.querySelector<HTMLElement>('#app');
+if (root !== null) void begin(root);

@@ -2,6 +2,7 @@
 // world outside (clock, animation frames, log reader, sockets) is passed in.
 
 import { type Ack, type Frame, type Message, Mode, type Risk } from '../../../codec/messages';
+import type { ControlRequest } from '../../../codec/protocol';
 import { badgeOf, controlReason } from './badge';
 import { commandAt } from './event_log';
 import { type PackedFrame, unpackFrame } from './packed_frame';
@@ -12,18 +13,12 @@ import { RunData } from './run_data';
 import { Selection } from './selection';
 import type { Connection, Topic, Viewer, ViewerState } from './viewer';
 
-// One control message as the page sends it (section "WebSocket protocol" of docs/visualizer.md).
-export interface Control {
-  readonly seq: number;
-  readonly verb: string;
-  readonly object: number;
-  readonly args: readonly number[];
-  readonly text: string;
-}
+// One control message; the link adds the token.
+export type Asked = Omit<ControlRequest, 'token'>;
 
 // A source of live data, and the way back to the player.
 export interface Link {
-  send(control: Control): void;
+  send(asked: Asked): void;
   close(): void;
 }
 
@@ -38,7 +33,8 @@ export interface Surroundings {
   now(): number; // ms of wall time, never backwards
   animationFrame(callback: () => void): void;
   later(ms: number, callback: () => void): void;
-  readLog(bytes: ArrayBuffer, take: (message: Message) => void): Promise<void>; // rejects with one line
+  // Resolves with '' or with one line on why reading ended early; rejects with one line.
+  readLog(bytes: ArrayBuffer, take: (message: Message) => void): Promise<string>;
   openLink(url: string, listener: LinkListener): Link;
   firstSeq: number; // of control messages; different from page to page
 }
@@ -113,11 +109,13 @@ class ViewerModel implements Viewer {
 
   async openLog(bytes: ArrayBuffer, name: string): Promise<void> {
     const data = new RunData();
-    await this.outside.readLog(bytes, (message) => data.take(message, new Set()));
-    if (data.frames.length === 0) throw new Error(`${name}: a log without any VIZ_FRAME`);
+    const problem = await this.outside.readLog(bytes, (message) => data.take(message, new Set()));
+    if (data.frames.length === 0) {
+      throw new Error(`${name}: ${problem === '' ? 'a log without any VIZ_FRAME' : problem}`);
+    }
     this.leaveSource();
     this.data = data;
-    this.connection = { ...NOT_CONNECTED, kind: 'file', fileName: name };
+    this.connection = { ...NOT_CONNECTED, kind: 'file', fileName: name, error: problem };
     this.playback.following = false;
     this.playback.tUs = data.frames.first?.tUs ?? 0;
     this.chooseObserver();
@@ -242,7 +240,7 @@ class ViewerModel implements Viewer {
     const reason = this.sendingReason;
     if (this.link === null || reason !== '') return Promise.resolve(refusal(0, reason));
     const { seq, answer } = this.pending.begin(this.outside.now());
-    this.link.send({ seq, verb, object, args, text });
+    this.link.send({ seq, verb, object, args: [...args], text });
     return answer;
   }
 

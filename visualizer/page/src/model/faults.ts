@@ -9,7 +9,7 @@ const LETTERS: readonly [FaultLetter, RegExp][] = [
   ['W', /slip|wheel/i],
   ['R', /rang|dist|uwb|flow/i],
   ['N', /anchor/i],
-  ['C', /comm|packet|radio|message|channel|can|airbag|steering/i],
+  ['C', /its_data|comm|packet|radio|message|channel/i],
   ['T', /time|clock|stamp/i],
   ['G', /gain|^k[pid]?\b|pid/i],
   ['Y', /yaw|psi|heading/i],
@@ -17,8 +17,11 @@ const LETTERS: readonly [FaultLetter, RegExp][] = [
   ['P', /pos|^p[xyz]|acc|vel|gps/i],
 ];
 
-// The letter that stands for a fault on the map, the timeline and in lists.
-export function faultLetter(probe: string): FaultLetter {
+// The letter that stands for a fault on the map, the timeline and in lists: by what it alters, and G
+// for a wrong gain of that.
+export function faultLetter(fault: Pick<Fault, 'probe' | 'type'>): FaultLetter {
+  if (/amplification|gain/i.test(fault.type)) return 'G';
+  const { probe } = fault;
   return LETTERS.find(([, pattern]) => pattern.test(probe))?.[0] ?? 'F';
 }
 

@@ -2,7 +2,7 @@
 // passes when the test says so.
 
 import type { CaseInfo, Message, Risk, Status, VizEvent, VizObject } from '../../../codec/messages';
-import type { Control, LinkListener, Surroundings } from './create_viewer';
+import type { Asked, LinkListener, Surroundings } from './create_viewer';
 
 export function anObject(id: number, change: Partial<VizObject> = {}): VizObject {
   return {
@@ -64,7 +64,8 @@ export function aCase(timesUs: readonly number[]): CaseInfo {
 
 export interface TestWorld extends Surroundings {
   log: Message[]; // what readLog reads
-  sent: Control[];
+  problem: string; // why it ended early
+  sent: Asked[];
   listener: LinkListener | null; // of the link that was opened last
   pass(ms: number): void; // time in steps of 10 ms with an animation frame each
 }
@@ -84,13 +85,17 @@ export function testWorld(): TestWorld {
   };
   const world: TestWorld = {
     log: [],
+    problem: '',
     sent: [],
     listener: null,
     firstSeq: 7,
     now: () => nowMs,
     animationFrame: (callback) => void frames.push(callback),
     later: (ms, callback) => void timers.push({ dueMs: nowMs + ms, callback }),
-    readLog: async (_bytes, take) => world.log.forEach(take),
+    readLog: async (_bytes, take) => {
+      for (const message of world.log) take(message);
+      return world.problem;
+    },
     openLink: (_url, listener) => {
       world.listener = listener;
       return { send: (control) => void world.sent.push(control), close: () => undefined };

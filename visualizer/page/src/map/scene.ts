@@ -1,0 +1,35 @@
+// What one picture of the map shows, gathered from viewer and settings.
+
+import type { Faults, Ranges, World } from '../../../codec/messages';
+import type { PackedFrame } from '../model/packed_frame';
+import type { PackedRisk } from '../model/packed_risk';
+import type { TimeBuffer } from '../model/time_buffer';
+import type { Collision } from '../model/viewer';
+import type { LayerName, Trail } from '../shell/settings';
+import type { Palette } from './palette';
+import type { View } from './view';
+
+export interface Measure {
+  readonly fromX: number; // m
+  readonly fromY: number;
+  readonly toX: number;
+  readonly toY: number;
+}
+
+export interface Scene {
+  readonly view: View;
+  readonly palette: Palette;
+  readonly layers: Readonly<Record<LayerName, boolean>>;
+  readonly trail: Trail;
+  readonly tUs: number;
+  readonly world: World | null;
+  readonly frames: TimeBuffer<PackedFrame>;
+  readonly frame: PackedFrame | null;
+  readonly risk: PackedRisk | null;
+  readonly ranges: Ranges | null;
+  readonly faults: Faults | null;
+  readonly collisions: readonly Collision[];
+  readonly observer: number;
+  readonly pinned: readonly number[];
+  readonly measure: Measure | null;
+}
