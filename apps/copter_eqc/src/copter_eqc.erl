@@ -11,7 +11,7 @@
 %% PropEr 1.5 calls its property types opaque, though a plain boolean is one of them.
 -dialyzer({[no_opaque, no_return], [safe/1, safe/3]}).
 
--export([safe/1, safe/3, begin_test/1, report/2]).
+-export([safe/1, safe/3, begin_test/1, report/2, view/0]).
 -export_type([tell/0]).
 
 -type tell() :: fun(([faultcheck_statem:command()], faultcheck_statem:run()) -> ok).
@@ -20,7 +20,7 @@
     options :: copter_options:options(),
     %% in the order of adding
     copters = [] :: [{non_neg_integer(), copter_world:place()}],
-    faults = [] :: [copter_fault:place()],
+    faults = [] :: [copter_fault:place() | {named, all, term()}],
     previous = setting :: setting | steer | iterate | fault
 }).
 
@@ -44,8 +44,15 @@ faults() ->
 %% What a guided search only moves.
 setting() -> [add_copter, add_grid].
 
+%% What only a person does is never generated.
+%%
 %% The number of copters is uniform over its range: after N of them, the chance of no further one
 %% is 1 in as many as may still come, and one more.
+weight(_, Command) when
+    Command =:= fly_add; Command =:= fly_remove; Command =:= fly_command; Command =:= fly_set;
+    Command =:= fly_inject
+->
+    0;
 weight(#state{previous = setting} = S, add_copter) ->
     max(1, others(S) * (option(max_copters, S) - length(S#state.copters)));
 weight(#state{previous = setting, copters = Copters} = S, Command) when Command =/= add_grid ->
@@ -214,6 +221,44 @@ fault_clear() -> copter_sut:clear_faults().
 fault_clear_next(S, _, []) -> S#state{faults = [], previous = fault}.
 fault_clear_post(_S, _, Result) -> Result =:= ok.
 
+%% ---- flown by hand: what a person may do in the visualizer beside steering ------------------
+
+%% A copter at rest, at any time: m, and degrees of yaw.
+fly_add_args(S) -> [next_id(S), 0.0, 0.0, 0.0].
+fly_add_pre(S, [Id, _, _, _]) -> not known(Id, S).
+fly_add(Id, X, Y, Yaw) -> copter_sut:add_copter(Id, X, Y, Yaw).
+fly_add_next(#state{copters = Copters} = S, _, [Id, X, Y, _]) ->
+    S#state{copters = Copters ++ [{Id, {X, Y}}]}.
+fly_add_post(_S, _, Result) -> Result =:= ok.
+
+fly_remove_args(S) -> [copter(S)].
+fly_remove_pre(S, [Id]) -> known(Id, S).
+fly_remove(Id) -> copter_sut:remove_copter(Id).
+fly_remove_next(#state{copters = Copters} = S, _, [Id]) ->
+    S#state{copters = lists:keydelete(Id, 1, Copters)}.
+fly_remove_post(_S, _, Result) -> Result =:= ok.
+
+%% Commands of the simulator's own: -1..1.
+fly_command_args(S) -> [copter(S), 0.0, 0.0, 0.0].
+fly_command_pre(S, [Id | _]) -> known(Id, S).
+fly_command(Id, Roll, Pitch, Yaw) -> copter_sut:command(Id, Roll, Pitch, Yaw).
+fly_command_post(_S, _, Result) -> Result =:= ok.
+
+%% A parameter or gain of all copters, or a gain of one.
+fly_set_args(_S) -> [all, comfort_radius, 0.45].
+fly_set_pre(S, [Id, _, _]) -> Id =:= all orelse known(Id, S).
+fly_set(all, Name, Value) -> copter_sut:set(Name, Value);
+fly_set(Id, Name, Value) -> copter_sut:set(Id, Name, Value).
+fly_set_post(_S, _, Result) -> Result =:= ok.
+
+%% Any fault of libfaultcheck: where, the names of its model and parameters, when.
+fly_inject_args(_S) -> [{probe, <<"PxId0">>}, <<"offset">>, [{<<"value">>, 0.0}], [], none].
+fly_inject(Where, Model, Parameters, Trigger, Seed) ->
+    copter_sut:arm_named(Where, Model, Parameters, Trigger, Seed).
+fly_inject_next(#state{faults = Faults} = S, _, [Where, Model | _]) ->
+    S#state{faults = Faults ++ [{named, all, {Where, Model}}]}.
+fly_inject_post(_S, _, Result) -> Result =:= ok.
+
 %% ---- what a guided search asks for ----------------------------------------------------------
 
 %% Metres of room left; the time of the simulator is in us, that of the commands in ms.
@@ -280,12 +325,23 @@ safe(Options, Tell, Shrinking) ->
         end)
     ).
 
-%% @doc Adds the scenario of a stored case to its folder, for coptersim_run and make replay.
+%% @doc Adds to the folder of a stored case its scenario, for coptersim_run and make replay, and its
+%% recording.
 -spec report(faultcheck_case:'case'(), file:filename()) -> ok.
-report(#{shrunk := Shrunk} = Case, Dir) ->
-    {ok, Commands} = faultcheck_case:commands(Shrunk),
-    Scenario = copter_scenario:from_case(Case, Commands, copter_options:current()),
-    ok = file:write_file(filename:join(Dir, "scenario.json"), faultcheck_json:pretty(Scenario)).
+report(Case, Dir) ->
+    Settings = copter_sut:settings(copter_options:current()),
+    Endings = copter_view:endings(Case, Settings),
+    Scenario = copter_scenario:from_case(Case, Settings, Endings),
+    ok = file:write_file(filename:join(Dir, "scenario.json"), faultcheck_json:pretty(Scenario)),
+    View = copter_view:of_case(Case, shrunk, Settings, maps:get(shrunk, Endings)),
+    case replay_recording:write({copter_view, View}, filename:join(Dir, "run.lcm")) of
+        {ok, _} -> ok;
+        {error, Line} -> error({recording, Line})
+    end.
+
+%% @doc What shows cases of this model (replay_source).
+-spec view() -> module().
+view() -> copter_view.
 
 %% ---- the model's own --------------------------------------------------------------------
 

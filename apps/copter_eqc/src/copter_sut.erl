@@ -8,14 +8,28 @@
 %% searched for.
 -module(copter_sut).
 
--export([begin_test/1, stop/0, default_transport/1, library/0]).
--export([add_copter/3, add_copter/4, copters/0, command/4, arm/1, clear_faults/0, iterate/1]).
--export([set/2, value_of/1, configure/1]).
+-export([begin_test/1, begin_flight/1, settings/1, stop/0, default_transport/1, library/0]).
+-export([add_copter/3, add_copter/4, remove_copter/1, copters/0, command/4]).
+-export([arm/1, arm_named/5, clear_faults/0, iterate/1, run/1]).
+-export([set/2, set/3, value_of/1, configure/1]).
+-export([collisions/0, parameters/0, anchors/0]).
 -export([time_us/0, state/2, bits/1, station/1, closest/0]).
 -export([snapshot/0, restore/1, release/1]).
--export_type([outcome/0, collision/0, objective/0, view/0, closest/0, state/0]).
+-export([instance/0]).
+-export_type([outcome/0, collision/0, objective/0, view/0, closest/0, state/0, settings/0]).
 
 -type objective() :: gap | stop | late.
+%% What a flight begins with.
+-type settings() :: #{
+    dt_us := pos_integer(),
+    %% messages, and one anchor, every so many steps
+    its_div := non_neg_integer(),
+    anchor_div := non_neg_integer(),
+    %% parameters and gains that differ from the simulator's own; choices may have their names
+    values := #{atom() => number() | binary()},
+    lines := [copter_world:line()],
+    anchors := [copter_world:anchor()]
+}.
 -type view() :: true | perceived.
 -type outcome() :: ok | {collision, collision()}.
 -type collision() :: #{
@@ -40,9 +54,11 @@
 %% Not less than the structures have; csim_new compares the first.
 -define(OPTIONS_BYTES, 40).
 -define(COLLISION_BYTES, 48).
+-define(MOST_COLLISIONS, 100).
 -define(STATE_BYTES, 80).
 -define(STATION_BYTES, 64).
 -define(COLUMNS_BYTES, 128).
+-define(GAINS_BYTES, 88).
 -define(US_PER_MS, 1000).
 
 %% ---- start and stop ---------------------------------------------------------------------------
@@ -51,28 +67,45 @@
 -spec begin_test(copter_options:options()) -> ok.
 begin_test(Options) ->
     Sut = instance(Options),
-    #{lib := Lib, sim := Sim} = Sut,
-    #{dt_us := Dt, its_ms := Its, anchor_ms := Anchor} = Options,
-    _ = put(?MODULE, Sut#{
+    prepare(Sut, settings(Options), fun(Sim) -> [watch(Sim, Options)] end).
+
+%% @doc The same from settings, without an objective.
+-spec begin_flight(settings()) -> ok.
+begin_flight(Settings) ->
+    prepare(instance(#{threads => 1, brute_force => false}), Settings, fun(_) -> [] end).
+
+%% @doc What the options say of a flight.
+-spec settings(copter_options:options()) -> settings().
+settings(#{dt_us := Dt, its_ms := Its, anchor_ms := Anchor, world := World} = Options) ->
+    #{
         dt_us => Dt,
         its_div => Its * ?US_PER_MS div Dt,
-        anchor_div => Anchor * ?US_PER_MS div Dt
-    }),
-    Calls = parameters(Sim, Options) ++ world(Sim, Options) ++ [watch(Sim, Options)],
+        anchor_div => Anchor * ?US_PER_MS div Dt,
+        values => copter_options:values(Options),
+        lines => copter_world:lines(World),
+        anchors => copter_world:anchors(World)
+    }.
+
+prepare(#{lib := Lib, sim := Sim} = Sut, Settings, Besides) ->
+    _ = put(?MODULE, maps:merge(Sut, maps:with([dt_us, its_div, anchor_div, anchors], Settings))),
+    Calls = parameters(Sim, Settings) ++ world(Sim, Settings) ++ Besides(Sim),
     checked(Lib, [{csim_reset, [Sim]} | Calls]).
 
-world(Sim, #{world := World}) ->
-    [
-        {csim_add_line, [Sim, Id, X1, Y1, X2, Y2]}
-     || {Id, {X1, Y1}, {X2, Y2}} <- copter_world:lines(World)
-    ] ++
-        [{csim_add_anchor, [Sim, Id, X, Y, Z]} || {Id, X, Y, Z} <- copter_world:anchors(World)].
+world(Sim, #{lines := Lines, anchors := Anchors}) ->
+    [{csim_add_line, [Sim, Id, X1, Y1, X2, Y2]} || {Id, {X1, Y1}, {X2, Y2}} <- Lines] ++
+        [{csim_add_anchor, [Sim, Id, X, Y, Z]} || {Id, X, Y, Z} <- Anchors].
 
-parameters(Sim, Options) ->
-    [
-        {csim_set, [Sim, atom_to_binary(Name), float(Value)]}
-     || {Name, Value} <- maps:to_list(copter_options:values(Options))
-    ].
+%% The configuration first: the others change it.
+parameters(Sim, #{values := Values}) ->
+    {First, Rest} = lists:partition(fun({Name, _}) -> Name =:= configuration end,
+                                    maps:to_list(Values)),
+    [parameter(Sim, Name, Value) || {Name, Value} <- First ++ Rest].
+
+parameter(Sim, configuration, Name) -> {csim_configure, [Sim, Name]};
+parameter(Sim, Name, Choice) when is_binary(Choice) ->
+    {csim_set_text, [Sim, atom_to_binary(Name), Choice]};
+parameter(Sim, Name, Value) ->
+    {csim_set, [Sim, atom_to_binary(Name), float(Value)]}.
 
 watch(Sim, #{objective := Objective, horizon_ms := Horizon}) ->
     Kind = maps:get(Objective, #{gap => 'CSIM_GAP', stop => 'CSIM_STOP', late => 'CSIM_LATE'}),
@@ -117,6 +150,7 @@ with_buffers(#{lib := Lib} = Sut) ->
         closest => buffer(Lib, csim_closeness, ?COLLISION_BYTES),
         state => buffer(Lib, csim_state, ?STATE_BYTES),
         station => buffer(Lib, csim_station, ?STATION_BYTES),
+        gains => buffer(Lib, csim_gains, ?GAINS_BYTES),
         columns => buffer(Lib, csim_columns_view, ?COLUMNS_BYTES),
         count => cb:create_array(Lib, size_t, [0]),
         number => cb:create_array(Lib, double, [0.0])
@@ -170,6 +204,10 @@ add_copter(Id, X, Y) -> add_copter(Id, X, Y, 0.0).
 -spec add_copter(non_neg_integer(), float(), float(), Yaw :: float()) -> ok.
 add_copter(Id, X, Y, Yaw) -> one(csim_add_copter, [Id, X, Y, Yaw]).
 
+%% @doc Takes a copter away.
+-spec remove_copter(non_neg_integer()) -> ok.
+remove_copter(Id) -> one(csim_remove_copter, [Id]).
+
 %% @doc The ids of all copters, ascending.
 -spec copters() -> [non_neg_integer()].
 copters() ->
@@ -198,6 +236,41 @@ arm([{Where, Fault, Seed} | Rest]) ->
             Error
     end.
 
+%% @doc Arms a fault by the names of its model and parameters (fc_named.h); a seed of its own
+%% random stream, or none.
+-spec arm_named(
+    faultcheck_inject:where(),
+    Model :: binary(),
+    [{Name :: binary(), number() | binary()}],
+    faultcheck_fault:trigger(),
+    Seed :: non_neg_integer() | none
+) -> ok | {error, faultcheck_inject:reason()}.
+arm_named({Kind, Place}, Model, Parameters, Trigger, Seed) ->
+    #{lib := Lib, faults := Faults} = get(?MODULE),
+    Function = maps:get(Kind, #{probe => fc_arm_named, channel => fc_channel_arm_named}),
+    Arguments = [argument(P) || P <- Parameters],
+    Args = [Faults, Place, Model, Arguments, length(Arguments)],
+    case faultcheck_inject:attempt(Lib, Function, Args) of
+        {Id, _} when Id > 0 ->
+            _ = [0 = cb:call(Lib, fc_seed_fault, [Faults, Id, Seed]) || Seed =/= none],
+            triggered(Lib, Faults, Id, Trigger);
+        {_, Error} ->
+            Error()
+    end.
+
+argument({Name, Text}) when is_binary(Text) -> #{name => Name, text => Text, number => 0.0};
+argument({Name, Number}) -> #{name => Name, text => null, number => float(Number)}.
+
+%% A fault whose trigger is refused does not stay armed.
+triggered(Lib, Faults, Id, Trigger) ->
+    case faultcheck_inject:trigger(Lib, Faults, Id, Trigger) of
+        ok ->
+            ok;
+        {error, _} = Error ->
+            ok = faultcheck_inject:remove(Lib, Faults, Id),
+            Error
+    end.
+
 %% @doc Disarms all faults.
 -spec clear_faults() -> ok.
 clear_faults() ->
@@ -207,9 +280,14 @@ clear_faults() ->
 %% @doc Lets time pass, up to the first collision. Milliseconds, of which whole steps are made.
 -spec iterate(pos_integer()) -> outcome().
 iterate(Ms) ->
+    #{dt_us := Dt} = get(?MODULE),
+    run(Ms * ?US_PER_MS div Dt).
+
+%% @doc The same for a number of steps.
+-spec run(Steps :: non_neg_integer()) -> outcome().
+run(Steps) ->
     #{dt_us := Dt, its_div := Its, anchor_div := Anchor, lib := Lib, sim := Sim} = Sut =
         get(?MODULE),
-    Steps = Ms * ?US_PER_MS div Dt,
     case cb:call(Lib, csim_run, [Sim, Steps, Dt, Its, Anchor]) of
         0 -> after_run(cb:call(Lib, csim_status, [Sim]), Sut);
         Code -> refused(Lib, csim_run, Code)
@@ -218,14 +296,34 @@ iterate(Ms) ->
 after_run('CSIM_RUNNING', _Sut) -> ok;
 after_run('CSIM_COLLIDED', Sut) -> {collision, collision(Sut)}.
 
-%% The first one. The call says that there are more by a code of its own.
-collision(#{lib := Lib, sim := Sim, collision := Buffer, count := Count}) ->
-    ok = cb:set(Lib, [Count, 0], 1),
+%% The first one.
+collision(#{collision := Buffer} = Sut) ->
+    [First | _] = collisions(Buffer, 1, Sut),
+    First.
+
+%% The call says that there are more than fit by a code of its own.
+collisions(Buffer, Room, #{lib := Lib, sim := Sim, count := Count}) ->
+    ok = cb:set(Lib, [Count, 0], Room),
     Code = cb:call(Lib, csim_collisions, [Sim, Buffer, Count]),
     lists:member(Code, [0, -5]) orelse refused(Lib, csim_collisions, Code),
-    [#{kind := Kind, id := Id, other := Other, t_us := Time, x := X, y := Y}] =
-        cb:read(Lib, Buffer, 1),
-    #{kind => kind(Kind), ids => [Id, Other], t_us => Time, point => {X, Y}}.
+    [There] = cb:read(Lib, Count, 1),
+    [
+        #{kind => kind(Kind), ids => [Id, Other], t_us => Time, point => {X, Y}}
+     || #{kind := Kind, id := Id, other := Other, t_us := Time, x := X, y := Y} <-
+            cb:read(Lib, Buffer, min(There, Room))
+    ].
+
+%% @doc All collisions since the start, at most 100, in the order in which csim.h tells them.
+-spec collisions() -> [collision()].
+collisions() ->
+    #{lib := Lib} = Sut = get(?MODULE),
+    Buffer = buffer(Lib, csim_collision, ?MOST_COLLISIONS * ?COLLISION_BYTES),
+    try
+        collisions(Buffer, ?MOST_COLLISIONS, Sut)
+    after
+        {ptr, _, At} = Buffer,
+        cb:free(Lib, {ptr, 'unsigned char', At})
+    end.
 
 kind('CSIM_TERRAIN') -> terrain;
 kind('CSIM_COPTER') -> copter.
@@ -234,6 +332,14 @@ kind('CSIM_COPTER') -> copter.
 -spec set(atom(), number()) -> ok.
 set(Name, Value) -> one(csim_set, [atom_to_binary(Name), float(Value)]).
 
+%% @doc A gain of one copter.
+-spec set(non_neg_integer(), atom(), number()) -> ok.
+set(Id, Name, Value) ->
+    #{lib := Lib, gains := Buffer} = get(?MODULE),
+    ok = one(csim_get_gains, [Id, Buffer]),
+    ok = cb:set(Lib, [Buffer, 0, Name], float(Value)),
+    one(csim_set_gains, [Id, Buffer]).
+
 %% @doc The value of a parameter or gain.
 -spec value_of(atom()) -> number().
 value_of(Name) ->
@@ -241,6 +347,23 @@ value_of(Name) ->
     ok = one(csim_get, [atom_to_binary(Name), Buffer]),
     [Value] = cb:read(Lib, Buffer, 1),
     Value.
+
+%% @doc The ids of the anchors, in the order of their use.
+-spec anchors() -> [non_neg_integer()].
+anchors() -> [Id || {Id, _, _, _} <- maps:get(anchors, get(?MODULE))].
+
+%% @doc All parameters and gains by name, in the simulator's order.
+-spec parameters() -> [{binary(), number()}].
+parameters() ->
+    #{lib := Lib} = get(?MODULE),
+    [
+        begin
+            [#{name := Name}] = cb:read(Lib, cb:call(Lib, csim_param_at, [N]), 1),
+            Text = cb:cstring(Lib, Name),
+            {Text, value_of(binary_to_atom(Text, utf8))}
+        end
+     || N <- lists:seq(0, cb:call(Lib, csim_param_count, []) - 1)
+    ].
 
 %% @doc All parameters to those of a set that the simulator knows by name.
 -spec configure(atom()) -> ok.
@@ -314,6 +437,10 @@ restore(Snapshot) -> one(csim_restore, [Snapshot]).
 release(Snapshot) ->
     #{lib := Lib} = get(?MODULE),
     cb:call(Lib, csim_release, [Snapshot]).
+
+%% @doc The library, the simulation, its faults and its buffers, for those who look at it closely.
+-spec instance() -> #{lib := cb:lib(), sim := cb:ptr(), faults := cb:ptr(), atom() => term()}.
+instance() -> get(?MODULE).
 
 %% ---- calls ------------------------------------------------------------------------------------
 

@@ -10,7 +10,8 @@
 -export([commands/1, with_commands/2, lines/1]).
 -export_type(['case'/0, status/0]).
 
--type status() :: failed | flaky.
+%% passed: a run that a person wants to keep.
+-type status() :: failed | flaky | passed.
 -type 'case'() :: #{
     module := module(),
     property := atom(),
@@ -154,7 +155,7 @@ from_json(Json) ->
     #{
         module => name(<<"module">>, Json),
         property => name(<<"property">>, Json),
-        status => one_of(<<"status">>, [failed, flaky], Json),
+        status => one_of(<<"status">>, [failed, flaky, passed], Json),
         reasons => [unicode:characters_to_list(R) || R <- maps:get(<<"reasons">>, Json)],
         seed => maps:get(<<"seed">>, Json),
         test => optional(<<"test">>, Json),
