@@ -162,7 +162,10 @@ latest_post(S, [Name, Place], Result) ->
 %% ---- probe ------------------------------------------------------------------------------------
 probe_pre(S) -> allowed(probe, S).
 probe_args(S) ->
-    ?LET(Type, type(), [context(S), probe_id(S), Type, value(Type)]).
+    ?LET({Name, Id}, {context(S), probe_id(S)}, begin
+        Models = [M || #{model := M} <- faultcheck_ref:faults({probe, Id}, context(Name, S))],
+        ?LET(Type, telling_type(Models), [Name, Id, Type, telling_value(Type, Models)])
+    end).
 probe_pre(S, _) -> probe_pre(S).
 probe(Name, Id, Type, Value) ->
     faultcheck_eqc_sut:probe(Name, Id, Type, faultcheck_ref_value:new(Type, Value)).
@@ -438,6 +441,29 @@ change(_S) ->
 type() ->
     frequency([{3, f64}, {2, f32}, {3, i32} |
                [{1, T} || T <- [i8, i16, i64, u8, u16, u32, u64, bool, bytes]]]).
+
+%% Bytes are held by code of their own, which only several of them show.
+telling_type(Models) ->
+    case [held || {dropout, _, hold} <- Models] of
+        [] -> type();
+        _ -> frequency([{1, type()}, {1, bytes}])
+    end.
+
+%% Often exactly where an armed fault begins to act.
+telling_value(Type, Models) ->
+    case lists:flatmap(fun edges/1, Models) of
+        [_ | _] = Edges when Type =:= f32; Type =:= f64 ->
+            frequency([{2, value(Type)}, {1, oneof(Edges)}]);
+        _ ->
+            value(Type)
+    end.
+
+edges({dead_zone, Centre, Width}) when abs(Centre) < 1.0e300, abs(Width) < 1.0e300 ->
+    [float(Centre - Width), float(Centre + Width)];
+edges({saturate, Low, High}) ->
+    [float(X) || X <- [Low, High], is_number(X)];
+edges(_) ->
+    [].
 
 %% The limits, and values whose product with a parameter passes them.
 value(bytes) -> packet();
