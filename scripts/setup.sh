@@ -26,6 +26,8 @@ native  cxxheader:nlohmann/json.hpp  nlohmann-json3-dev
 native  cmd:erl                  erlang-base
 native  erlang:erl_nif.h         erlang-dev
 vectors header:zlib.h            zlib1g-dev
+stream  header:lcm/lcm.h         liblcm-dev
+stream  cmd:lcm-gen              liblcm-bin
 demo    app:eunit                erlang-eunit
 demo    app:syntax_tools         erlang-syntax-tools
 demo    cmd:rebar3               rebar3
@@ -41,6 +43,7 @@ test    cmd:shellcheck           shellcheck
 test    cmd:dwz                  dwz
 test    cmd:git                  git
 test    cmd:python3              python3
+test    cmd:ip                   iproute2
 test    cmd:arm-none-eabi-gcc    gcc-arm-none-eabi
 test    cmd:aarch64-linux-gnu-g++  g++-aarch64-linux-gnu
 test    cmd:qemu-aarch64         qemu-user
@@ -55,7 +58,8 @@ TABLE
 
 included() {
   case "$purpose" in
-    native) [[ $1 = native || $1 = vectors ]] ;; # the vector runner: not needed by `make demo`
+    # The vector runner and coptersim_stream are not needed by `make demo`.
+    native) [[ $1 = native || $1 = vectors || $1 = stream ]] ;;
     demo) [[ $1 = native || $1 = demo ]] ;;
     docs) [[ $1 = docs ]] ;;
     coverage) [[ $1 = native || $1 = demo || $1 = coverage ]] ;;
