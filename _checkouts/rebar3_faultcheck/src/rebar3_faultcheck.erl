@@ -98,7 +98,8 @@ run(Options, State) ->
         base_dir => rebar_dir:base_dir(State),
         cover_dirs => [filename:join(rebar_app_info:out_dir(A), "ebin") || A <- apps(State)],
         command => "rebar3 proper",
-        replay => replay_command()
+        replay => replay_command(),
+        watch => faultcheck_cli:watch()
     }).
 
 apps(State) -> [A || A <- rebar_state:project_apps(State), not rebar_app_info:is_checkout(A)].

@@ -10,7 +10,7 @@
 %% PropEr 1.5 calls its property types opaque, though a plain boolean is one of them.
 -dialyzer({[no_opaque, no_return], [safe/1, safe/2]}).
 
--export([safe/1, safe/2, begin_test/1, armed_faults/1]).
+-export([safe/1, safe/2, begin_test/1, armed_faults/1, report/2]).
 -export_type([fault/0, tell/0]).
 
 -define(CHANNEL, <<"airbag">>).
@@ -96,6 +96,8 @@ safe(Options) ->
 %% @doc The same, with what is to be told of a failure.
 -spec safe(airbag_options:options(), tell()) -> proper:outer_test().
 safe(Options, Tell) ->
+    %% Now, for report/2, and in the process of the tests.
+    ok = airbag_options:use(Options),
     ?SETUP(
         fun() ->
             ok = airbag_options:use(Options),
@@ -107,6 +109,14 @@ safe(Options, Tell) ->
             ?WHENFAIL(Tell(Commands, Run), aggregate(command_names(Commands), Result =:= ok))
         end)
     ).
+
+%% @doc Adds a page to a stored case: its packets, and what the airbag made of each.
+-spec report(faultcheck_case:'case'(), file:filename()) -> faultcheck_case:told().
+report(#{shrunk := Shrunk} = Case, Dir) ->
+    {ok, Commands} = faultcheck_case:commands(Shrunk),
+    Trace = airbag_trace:run(airbag_options:current(), Commands),
+    ok = faultcheck_case:add_file(Dir, "report.html", airbag_page:format(Case, Trace)),
+    #{report => "report.html"}.
 
 %% ---- the model's own --------------------------------------------------------------------
 

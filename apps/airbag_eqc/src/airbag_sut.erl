@@ -7,7 +7,7 @@
 %% searched for.
 -module(airbag_sut).
 
--export([begin_test/1, calls/1, value_of/1, flush_coverage/0, stop/0]).
+-export([begin_test/1, calls/1, value_of/1, recorded/0, record/0, flush_coverage/0, stop/0]).
 -export([default_transport/1, library/0]).
 -export_type([call/0]).
 
@@ -73,6 +73,20 @@ calls(Calls) ->
 value_of(Name) ->
     {_, Sut} = get(?MODULE),
     cb:value_of(Sut, Name).
+
+%% @doc Records all packets from now on.
+-spec record() -> ok.
+record() ->
+    {_, Sut} = get(?MODULE),
+    ok = faultcheck_record:start(Sut, null).
+
+%% @doc What was recorded; the recording ends.
+-spec recorded() -> [faultcheck_record:call()].
+recorded() ->
+    {_, Sut} = get(?MODULE),
+    {ok, Recording} = faultcheck_record:stop(Sut, null),
+    {ok, Calls} = faultcheck_record:calls(Recording),
+    Calls.
 
 %% @doc Writes the line counts of a library built for coverage.
 -spec flush_coverage() -> ok.

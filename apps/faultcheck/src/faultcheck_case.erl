@@ -6,9 +6,9 @@
 %% `proper:check/2' wants them: a list with the value of each ?FORALL.
 -module(faultcheck_case).
 
--export([write/2, read/1, directory/0, id/2]).
+-export([write/2, add_file/3, read/1, directory/0, id/2]).
 -export([commands/1, with_commands/2, lines/1]).
--export_type(['case'/0, status/0]).
+-export_type(['case'/0, status/0, told/0]).
 
 %% passed: a run that a person wants to keep.
 -type status() :: failed | flaky | passed.
@@ -30,6 +30,14 @@
     reasons := [string()],
     %% tries, accepted, minimal, stopped, flaky
     shrink := #{atom() => term()}
+}.
+
+%% What a model's report(Case, Dir) may answer instead of ok: the file for people that it wrote into
+%% the folder, whether the case can be watched in the visualizer, and lines for the user.
+-type told() :: #{
+    report => file:filename(),
+    watch => boolean(),
+    notes => [string()]
 }.
 
 -define(FORMAT, 1).
@@ -71,11 +79,23 @@ create(Dir, Text) ->
     ]).
 
 replace(Dir, Text) ->
-    New = filename:join(Dir, ".case.json-" ++ os:getpid()),
-    done(Dir, [
-        fun() -> file:write_file(New, Text) end,
-        fun() -> file:rename(New, filename:join(Dir, "case.json")) end
-    ]).
+    done(Dir, written(Dir, "case.json", Text)).
+
+%% @doc Puts a file into the folder of a case, in the place of one of this name. Whoever looks
+%% meanwhile sees the one or the other. A failure is the error `{not_written, Line}'.
+-spec add_file(file:filename(), file:filename(), iodata()) -> ok.
+add_file(Dir, Name, Content) ->
+    case done(Dir, written(Dir, Name, Content)) of
+        {ok, _} -> ok;
+        {error, Line} -> error({not_written, Line})
+    end.
+
+written(Dir, Name, Content) ->
+    New = filename:join(Dir, lists:concat([".", Name, "-", os:getpid()])),
+    [
+        fun() -> file:write_file(New, Content) end,
+        fun() -> file:rename(New, filename:join(Dir, Name)) end
+    ].
 
 done(Dir, []) ->
     {ok, Dir};

@@ -1,7 +1,7 @@
 %% @doc The program `bin/faultcheck'.
 -module(faultcheck_cli).
 
--export([main/0, run/1]).
+-export([main/0, run/1, watch/0]).
 
 -define(USAGE_ERROR, 2).
 -define(NOT_BUILT, 3).
@@ -46,8 +46,13 @@ run(["replay", Path, "--original"]) ->
     run(["replay", "--original", Path]);
 run(["report", Path]) ->
     stored(Path, fun(Case) -> report(Case, Path) end);
+run(["export" | Words]) ->
+    case faultcheck_export:parse(Words) of
+        {ok, Path, What} -> stored(Path, fun(Case) -> export(Case, Path, What) end);
+        {error, Line} -> say("~ts~n", [Line], ?USAGE_ERROR)
+    end;
 run([Word | _]) ->
-    Words = ["new", "proper", "replay", "report", "version", "help"],
+    Words = ["new", "proper", "replay", "report", "export", "version", "help"],
     case lists:member(Word, Words) of
         true -> say("~ts: wrong arguments; ~ts~n", [Word, synopsis(Word)], ?USAGE_ERROR);
         false -> unknown(Word, Words)
@@ -64,7 +69,9 @@ usage() ->
     "  new DIR                     make a project: a C file with a bug and a model that finds it\n"
     "  proper [options]            run the properties of the project here\n"
     "  replay CASE [--original]    run a stored case again, each command with its result\n"
-    "  report CASE                 print a stored case; its model may add files to it\n"
+    "  report CASE                 print a stored case; its model writes report.html anew\n"
+    "  export CASE --mcap|--csv|--svg\n"
+    "                              write a stored case for other programs\n"
     "  version                     versions of FaultCheck, PropEr and Erlang/OTP\n"
     "  COMMAND --help              more on a command\n\n" ++ exit_statuses().
 
@@ -88,7 +95,12 @@ usage("replay") ->
     "  --original    the failure as it was found, before it was shrunk\n\n" ++ exit_statuses();
 usage("report") ->
     synopsis("report") ++ "\n\n"
-    "Prints a stored case. A model that exports report/2 may add files to its folder.\n";
+    "Prints a stored case. A model that exports report/2 adds files to its folder, anew each\n"
+    "time; report.html is the one to open.\n";
+usage("export") ->
+    synopsis("export") ++ "\n\n"
+    "Writes a stored case for other programs, if its model exports export/3.\n\n" ++
+    faultcheck_export:help() ++ "\n" ++ exit_statuses();
 usage("version") ->
     synopsis("version") ++ "\n";
 usage(_) ->
@@ -98,6 +110,8 @@ synopsis("new") -> "Usage: faultcheck new DIR";
 synopsis("proper") -> "Usage: faultcheck proper [options]";
 synopsis("replay") -> "Usage: faultcheck replay CASE [--original]";
 synopsis("report") -> "Usage: faultcheck report CASE";
+synopsis("export") ->
+    "Usage: faultcheck export CASE --mcap|--csv|--svg [--at SECONDS] [--out FILE]";
 synopsis("version") -> "Usage: faultcheck version";
 synopsis("help") -> "Usage: faultcheck --help".
 
@@ -118,7 +132,21 @@ built(Options, Fun) ->
     end.
 
 request(Options, Built) ->
-    Built#{options => Options, command => "faultcheck proper", replay => "faultcheck replay"}.
+    Built#{
+        options => Options,
+        command => "faultcheck proper",
+        replay => "faultcheck replay",
+        watch => watch()
+    }.
+
+%% @doc What the folder of a case is put behind, to watch it in the visualizer: in a clone make does
+%% it, and builds what is missing.
+-spec watch() -> string().
+watch() ->
+    case filelib:is_regular("bin/faultcheck") of
+        true -> "make visualizer CASE=";
+        false -> "faultcheck play "
+    end.
 
 stored(Path, Fun) ->
     case faultcheck_case:read(Path) of
@@ -137,9 +165,15 @@ options(#{options := Words}) ->
     end.
 
 report(Case, Path) ->
-    Dir =
-        case filelib:is_dir(Path) of
-            true -> Path;
-            false -> filename:dirname(Path)
-        end,
+    Dir = folder(Path),
     built(options(Case), fun(Request) -> faultcheck_replay:report(Case, Dir, Request) end).
+
+export(Case, Path, What) ->
+    Dir = folder(Path),
+    built(options(Case), fun(Request) -> faultcheck_replay:export(Case, Dir, What, Request) end).
+
+folder(Path) ->
+    case filelib:is_dir(Path) of
+        true -> Path;
+        false -> filename:dirname(Path)
+    end.

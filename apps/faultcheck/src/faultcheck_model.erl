@@ -42,6 +42,13 @@
 %% restore(Ref), release(Ref)               queues, random streams, the objective so far
 %% '''
 %%
+%% What it may do for a stored case (faultcheck_case, faultcheck_export):
+%%
+%% ```
+%% report(Case, Dir) -> ok | faultcheck_case:told()     adds files to its folder
+%% export(Case, Dir, What) -> {ok, Files} | {error, Line}
+%% '''
+%%
 %% X_next also runs while commands are generated; the result is then a symbolic
 %% variable {var,N}, so it must not look inside it.
 -module(faultcheck_model).

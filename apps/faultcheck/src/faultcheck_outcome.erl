@@ -10,6 +10,7 @@
     versions := faultcheck_versions:versions(),
     command := string(),
     replay := string(),
+    watch => string(),
     team := faultcheck_team:team()
 }.
 -type task() :: {{module(), atom()}, faultcheck_property:task()}.
@@ -88,7 +89,7 @@ limited(_, Job) -> maps:merge(#{limit => ?LIMIT_MS}, Job).
 
 outcome({Property, Task}, Result, Info, #{options := Options} = Context) ->
     #{seed := Seed, versions := Versions, replay := Replay} = Context,
-    Common = #{
+    Common = (maps:with([watch], Context))#{
         property => Property,
         seed => Seed,
         versions => Versions,
@@ -129,8 +130,8 @@ keep(#{status := Status, shrunk := _} = Outcome, {Property, run}, Context, Sessi
 keep(Outcome, _Task, _Context, Session) ->
     {Outcome, Session}.
 
-report({{result, #{status := passed}, _}, Session}, Outcome) ->
-    {Outcome, Session};
+report({{result, #{status := passed} = Result, _}, Session}, Outcome) ->
+    {with_told(maps:get(told, Result, #{}), Outcome), Session};
 report({{result, #{reasons := [Reason | _]}, _}, Session}, Outcome) ->
     {note("report/2 of the model failed: " ++ Reason, Outcome), Session};
 report({interrupted, Session}, Outcome) ->
@@ -138,6 +139,9 @@ report({interrupted, Session}, Outcome) ->
     {Outcome, Session};
 report({_, Session}, Outcome) ->
     {note("report/2 of the model did not end", Outcome), Session}.
+
+with_told(Told, Outcome) ->
+    lists:foldl(fun note/2, Outcome#{told => Told}, maps:get(notes, Told, [])).
 
 note(Line, Outcome) -> Outcome#{notes => maps:get(notes, Outcome, []) ++ [Line]}.
 

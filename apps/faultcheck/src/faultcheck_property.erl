@@ -24,7 +24,9 @@
     %% the same, and the commands of the run with their results
     | {replay, proper:counterexample()}
     %% what the model adds to a stored case: its optional report(Case, Dir)
-    | {report, faultcheck_case:'case'(), file:filename()}.
+    | {report, faultcheck_case:'case'(), file:filename()}
+    %% what the model makes of it for other programs: its optional export(Case, Dir, What)
+    | {export, faultcheck_case:'case'(), file:filename(), faultcheck_export:what()}.
 -type job() :: #{
     module := module(),
     function := atom(),
@@ -65,7 +67,10 @@
     timeout => true,
     %% the commands of a replay with their results, in lines
     history => string(),
-    stats => string()
+    stats => string(),
+    %% what the model says of its report, and what it exported
+    told => faultcheck_case:told(),
+    written => [file:filename()]
 }.
 
 -define(NUMTESTS, 100).
@@ -218,12 +223,15 @@ task(#{job := #{task := {replay, CounterExample}}} = Run) ->
             Result
     end;
 task(#{job := #{task := {report, Case, Dir}, module := Module}}) ->
-    Models = [
-        Model
-     || {ok, Commands} <- [faultcheck_case:commands(maps:get(shrunk, Case))],
-        {set, _, {call, Model, _, _}} <- Commands
-    ],
-    report([Module | lists:usort(Models)], Case, Dir).
+    case faultcheck_export:exporter(Module, Case, {report, 2}) of
+        {ok, Model} -> #{status => passed, told => told(Model:report(Case, Dir))};
+        none -> #{status => passed}
+    end;
+task(#{job := #{task := {export, Case, Dir, What}, module := Module}}) ->
+    case faultcheck_export:run(Module, Case, Dir, What) of
+        {ok, Files} -> #{status => passed, written => Files};
+        {error, Line} -> #{status => error, reasons => [Line]}
+    end.
 
 %% Batches of numtests each, so that the sizes grow again and again until the time is up.
 batches(First, #{numtests := Numtests, deadline := Deadline} = Run) ->
@@ -274,17 +282,9 @@ check(CounterExample, #{fails := Fails} = Run) ->
             maps:merge(Base, faultcheck_failing:verdict(CounterExample, Run))
     end.
 
-report([], _Case, _Dir) ->
-    #{status => passed};
-report([Module | Rest], Case, Dir) ->
-    _ = code:ensure_loaded(Module),
-    case erlang:function_exported(Module, report, 2) of
-        true ->
-            _ = Module:report(Case, Dir),
-            #{status => passed};
-        false ->
-            report(Rest, Case, Dir)
-    end.
+%% A model may say nothing.
+told(Told) when is_map(Told) -> Told;
+told(_) -> #{}.
 
 stats_start(#{stats := true}) -> faultcheck_stats:start();
 stats_start(_) -> ok.

@@ -1,13 +1,14 @@
 %% @doc Stored cases: runs one again, or prints it.
 -module(faultcheck_replay).
 
--export([replay/2, report/3]).
+-export([replay/2, report/3, export/4]).
 
 -import(faultcheck_request, [say/3, warn/3, with_session/2, context/1]).
 
 -type request() :: faultcheck_request:request().
 
 -define(INTERRUPTED, 130).
+-define(USAGE, 2).
 -define(NOT_STARTED, 3).
 
 %% @doc Runs a stored case again and prints each command with its result.
@@ -75,7 +76,8 @@ report(#{module := M, property := F} = Case, Dir, Request) ->
     Job = {{M, F}, {report, Case, Dir}},
     with_session(Request, fun(Run, Session) ->
         case faultcheck_outcome:get(Job, context(Run), Session) of
-            {#{status := passed}, Next} ->
+            {#{status := passed} = Outcome, Next} ->
+                ok = tell(maps:get(told, Outcome, #{}), Dir, Request),
                 {0, Next};
             {#{reasons := Reasons}, Next} ->
                 say("report/2 of the model: ~ts", [lists:join("; ", Reasons)], Request),
@@ -84,3 +86,29 @@ report(#{module := M, property := F} = Case, Dir, Request) ->
                 {?INTERRUPTED, Next}
         end
     end).
+
+tell(Told, Dir, Request) ->
+    Lines = faultcheck_report:told(Told, (maps:with([watch], Request))#{'case' => Dir}),
+    Notes = [["  note: ", Note] || Note <- maps:get(notes, Told, [])],
+    lists:foreach(fun(Line) -> say("~ts", [Line], Request) end, Lines ++ Notes).
+
+%% @doc Lets the model of a stored case write it for other programs.
+-spec export(faultcheck_case:'case'(), file:filename(), faultcheck_export:what(), request()) ->
+    faultcheck_runner:status().
+export(#{module := M, property := F} = Case, Dir, What, Request) ->
+    Job = {{M, F}, {export, Case, Dir, What}},
+    with_session(Request, fun(Run, Session) ->
+        case faultcheck_outcome:get(Job, context(Run), Session) of
+            {#{status := passed, written := Files}, Next} ->
+                lists:foreach(fun(File) -> say("written: ~ts", [File], Request) end, Files),
+                {0, Next};
+            {#{status := Status, reasons := Reasons}, Next} ->
+                say("export: ~ts", [lists:join("; ", Reasons)], Request),
+                {export_status(Status), Next};
+            {interrupted, Next} ->
+                {?INTERRUPTED, Next}
+        end
+    end).
+
+export_status(error) -> ?USAGE;
+export_status(_) -> ?NOT_STARTED.

@@ -2,7 +2,7 @@
 -module(faultcheck_report).
 
 -export([title/1, failure/1, summary/1, progress/4, shrinking_progress/2, searching_progress/3]).
--export([json/2]).
+-export([told/2, json/2]).
 
 %% @doc `"Testing prop_stack:prop_push()"'.
 -spec title({module(), atom()}) -> string().
@@ -68,9 +68,19 @@ shrinking(_) ->
     [].
 
 stored(#{'case' := Dir} = Outcome) ->
-    ["  stored in " ++ Dir, text("  replay: ~ts ~ts", [maps:get(replay, Outcome), Dir])];
+    ["  stored in " ++ Dir, text("  replay: ~ts ~ts", [maps:get(replay, Outcome), Dir])] ++
+        told(maps:get(told, Outcome, #{}), Outcome);
 stored(_) ->
     [].
+
+%% @doc What a model's report/2 told: the page to open, and how to watch the case.
+-spec told(faultcheck_case:told(), #{'case' := file:filename(), atom() => term()}) -> [string()].
+told(Told, #{'case' := Dir} = Outcome) ->
+    [text("  report: ~ts", [filename:join(Dir, F)]) || {ok, F} <- [maps:find(report, Told)]] ++
+        [
+            text("  watch: ~ts~ts", [Watch, Dir])
+         || {ok, Watch} <- [maps:find(watch, Outcome)], maps:get(watch, Told, false)
+        ].
 
 origin(#{seed := Seed, versions := Versions} = Outcome) ->
     [text("  seed ~b with ~ts", [Seed, faultcheck_versions:text(Versions)])] ++
@@ -168,6 +178,10 @@ property(#{property := {M, F}, status := Status, tests := Tests, ms := Ms} = O) 
             [{reasons, [{text, R} || R <- maps:get(reasons, O, [])]}] ++
             [{flaky, [Failed, Runs]} || {ok, {Failed, Runs}} <- [maps:find(flaky, O)]] ++
             [{'case', {text, Dir}} || {ok, Dir} <- [maps:find('case', O)]] ++
+            [
+                {report, {text, filename:join(Dir, File)}}
+             || #{'case' := Dir, told := #{report := File}} <- [O]
+            ] ++
             [{repeat, {text, Repeat}} || {ok, Repeat} <- [maps:find(repeat, O)]] ++
             [
                 {counterexample, [{text, L} || L <- faultcheck_case:lines(Shrunk)]}

@@ -17,6 +17,8 @@
     %% how the user calls this: `rebar3 proper', and `faultcheck replay'
     command := string(),
     replay := string(),
+    %% what a case's folder is put behind, to watch it in the visualizer
+    watch => string(),
     print => fun((iodata()) -> ok),
     terminal => boolean()
 }.
@@ -79,7 +81,7 @@ with_session(#{options := Options, base_dir := Base} = Request, Fun) ->
 -spec context(run()) -> faultcheck_outcome:context().
 context(#{request := Request} = Run) ->
     maps:merge(
-        maps:with([options, command, replay], Request), maps:with([seed, versions, team], Run)
+        maps:with([options, command, replay, watch], Request), maps:with([seed, versions, team], Run)
     ).
 
 %% Different in every run, also of runs begun at the same moment.

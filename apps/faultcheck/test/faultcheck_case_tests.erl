@@ -8,6 +8,7 @@ case_test_() ->
             {"what is written reads back", fun round_trip/1},
             {"the same failure is the same case", fun same_case/1},
             {"nothing unfinished is left or seen", fun whole/1},
+            {"a file is added, and replaces the one before", fun added/1},
             {"bad cases are one line", fun errors/1}
         ]
     ]}.
@@ -33,6 +34,17 @@ same_case(Root) ->
     ?assertMatch({ok, #{seed := 6}}, faultcheck_case:read(Dir)),
     {ok, Other} = faultcheck_case:write(Root, (sample())#{shrunk := [commands(1)]}),
     ?assertNotEqual(Dir, Other).
+
+added(Root) ->
+    {ok, Dir} = faultcheck_case:write(Root, sample()),
+    ok = faultcheck_case:add_file(Dir, "report.html", "one"),
+    ok = faultcheck_case:add_file(Dir, "report.html", ["t", <<"wo">>]),
+    ?assertEqual({ok, <<"two">>}, file:read_file(filename:join(Dir, "report.html"))),
+    {ok, Names} = file:list_dir_all(Dir),
+    ?assertEqual(["case.json", "report.html"], lists:sort(Names)),
+    ?assertError(
+        {not_written, _}, faultcheck_case:add_file(filename:join(Dir, "none"), "report.html", "")
+    ).
 
 %% The digits come from the text of the terms (md5sum of "[1]" is 35dba5d75538a9bb...).
 id_test() ->

@@ -15,6 +15,27 @@ a_failure_tells_all_test() ->
     ],
     ?assertEqual(Expected, [lists:flatten(L) || L <- faultcheck_report:failure(failure())]).
 
+what_the_model_told_stands_below_the_replay_test() ->
+    Told = (failure())#{
+        told => #{report => "report.html", watch => true}, watch => "make visualizer CASE="
+    },
+    Lines = [lists:flatten(L) || L <- faultcheck_report:failure(Told)],
+    [_Replay | Behind] = lists:dropwhile(
+        fun(Line) -> Line =/= "  replay: faultcheck replay cases/prop_x-1" end, Lines
+    ),
+    ?assertMatch(
+        [
+            "  report: cases/prop_x-1/report.html",
+            "  watch: make visualizer CASE=cases/prop_x-1"
+            | _
+        ],
+        Behind
+    ).
+
+a_case_that_cannot_be_watched_is_not_offered_test() ->
+    Told = (failure())#{told => #{report => "a.html"}, watch => "make visualizer CASE="},
+    ?assertEqual([], [L || L <- faultcheck_report:failure(Told), string:find(L, "watch") =/= nomatch]).
+
 stopped_shrinking_is_not_minimal_test() ->
     Stopped = #{tries => 5, accepted => 1, minimal => false, stopped => max_ms},
     Lines = faultcheck_report:failure((failure())#{shrink := Stopped}),

@@ -23,6 +23,13 @@ extern "C" {
 /* The name of the packet channel between the two nodes. */
 #define AIRBAG_CHANNEL "airbag"
 
+/* What a recording (fc_record_start) has of each packet that the airbag took, behind the packet:
+ * the status of E2E_P01Check (-1: it returned an error; nothing for bare packets and wrong
+ * lengths), the activation messages counted in succession, and whether the airbag has fired. */
+#define AIRBAG_STATUS "airbag_status"
+#define AIRBAG_ACTIVATIONS "activations"
+#define AIRBAG_FIRED "airbag_fired"
+
 /* How profile 1 is configured.
  *   AIRBAG_THESIS       as in Paper I: DataLength 16, Data ID 0, all states zeroed. The second
  *                       data byte and the counter are outside the CRC.

@@ -6,6 +6,7 @@
 
 #include "E2E_P01.h"
 #include "faultcheck_packet_wrapper.h"
+#include "fc.h"
 
 enum {
     DATA_BYTES = 2,
@@ -93,6 +94,12 @@ static void evaluate(const uint8_t *data) {
     }
 }
 
+/* For a recording: what has become of the airbag after one packet. */
+static void monitor(void) {
+    fc_monitor_i32(NULL, AIRBAG_ACTIVATIONS, activations);
+    fc_monitor_i32(NULL, AIRBAG_FIRED, airbag_active);
+}
+
 void airbag_iteration(void) {
     uint8_t buffer[RECEIVE_BYTES];
     int length = 0;
@@ -101,6 +108,7 @@ void airbag_iteration(void) {
             evaluate(buffer);
         else
             activations = 0;
+        monitor();
     }
 }
 
@@ -133,16 +141,23 @@ static void count_status(E2E_P01CheckStatusType status) {
     }
 }
 
-/* 1 if the packet may be used. After an error return the status is the one of an earlier packet
- * and must not be looked at: a received counter of 15 would otherwise go unnoticed. */
+/* The status, or -1. After an error return the status is the one of an earlier packet and must not
+ * be looked at: a received counter of 15 would otherwise go unnoticed. */
 static int check(const uint8_t *packet, int new_data) {
     receiver.NewDataAvailable = new_data ? TRUE : FALSE;
     if (E2E_P01Check(&config, &receiver, packet) != E2E_E_OK) {
         airbag_seen.rejected++;
-        return 0;
+        return -1;
     }
     count_status(receiver.Status);
-    return receiver.Status == E2E_P01STATUS_OK;
+    return (int)receiver.Status;
+}
+
+/* 1 if the packet may be used. */
+static int usable(const uint8_t *packet) {
+    const int status = check(packet, 1);
+    fc_monitor_i32(NULL, AIRBAG_STATUS, status);
+    return status == E2E_P01STATUS_OK;
 }
 
 /* The end of the loop is an empty channel, not the status NONEWDATA: that one is stale after a
@@ -151,8 +166,9 @@ void airbag_iteration_e2e(void) {
     uint8_t buffer[RECEIVE_BYTES] = {0};
     int length = 0;
     while (receive(buffer, &length)) {
-        if (length == PACKET_BYTES && check(buffer, 1))
+        if (length == PACKET_BYTES && usable(buffer))
             evaluate(buffer + 1);
+        monitor();
     }
     check(buffer, 0);
 }
