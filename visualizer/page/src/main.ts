@@ -4,7 +4,7 @@ import { createMap } from './map/map_view';
 import { mountShell } from './shell/shell';
 import { createSettings } from './shell/settings';
 import { browserViewer, bridgeUrl } from './source/browser';
-import { listCases } from './source/case_list';
+import { fetchCase, listCases } from './source/case_list';
 import { embeddedLog } from './source/embedded_log';
 import { followFragment } from './source/follow_fragment';
 
@@ -20,10 +20,11 @@ async function begin(root: HTMLElement): Promise<void> {
   const settings = createSettings(memory());
   const viewer = browserViewer();
   const socket = bridgeUrl(location);
-  const outside = {
-    memory: memory(),
-    ...(socket === null ? {} : { listCases: () => listCases(location.origin) }),
-  };
+  const bridge = location.origin;
+  const outside =
+    socket === null
+      ? {}
+      : { listCases: () => listCases(bridge), fetchCase: (id: string) => fetchCase(bridge, id) };
   const shell = mountShell(root, viewer, settings, outside);
   const map = createMap(shell.mapHost, viewer, settings);
   shell.attachMap(map);

@@ -8,7 +8,7 @@ export type FaultLetter = 'P' | 'A' | 'G' | 'R' | 'N' | 'C' | 'T' | 'Y' | 'W' | 
 const LETTERS: readonly [FaultLetter, RegExp][] = [
   ['W', /slip|wheel/i],
   ['R', /rang|dist|uwb|flow/i],
-  ['N', /anchor/i],
+  ['N', /anch/i],
   ['C', /its_data|comm|packet|radio|message|channel/i],
   ['T', /time|clock|stamp/i],
   ['G', /gain|^k[pid]?\b|pid/i],

@@ -57,9 +57,9 @@ export interface Option {
 // Refills a select only when its options changed; keeps the choice where it still exists.
 export function setOptions(select: HTMLSelectElement, options: readonly Option[], chosen?: string): void {
   const signature = JSON.stringify(options);
-  if (select.dataset['signature'] !== signature) {
+  if (select.dataset.signature !== signature) {
     const before = select.value;
-    select.dataset['signature'] = signature;
+    select.dataset.signature = signature;
     select.replaceChildren(...optionNodes(options));
     if (options.some((o) => o.value === before)) select.value = before;
   }

@@ -31,7 +31,7 @@ export interface CaseName {
 // What needs the world outside of the viewer; there is no list of cases in a report.
 export interface Outside {
   listCases?: () => Promise<readonly CaseName[]>; // GET /cases
-  memory: Storage | null; // of the settings
+  fetchCase?: (id: string) => Promise<ArrayBuffer>; // GET /cases/<id>.lcm
 }
 
 // mountShell(root, viewer, settings, outside) in shell.ts makes one.

@@ -65,7 +65,7 @@ export function createSettings(memory: Memory | null): SettingsStore {
   const update = (change: Partial<Settings>): void => {
     value = { ...value, ...change };
     store(memory, value);
-    listeners.forEach((listener) => listener(value));
+    for (const listener of listeners) listener(value);
   };
   return {
     get value() {
@@ -84,18 +84,18 @@ export function createSettings(memory: Memory | null): SettingsStore {
 export function readSettings(text: string | null): Settings {
   const given = parsed(text);
   const layers = { ...defaultSettings.layers };
-  const givenLayers = isObject(given['layers']) ? given['layers'] : {};
+  const givenLayers = isObject(given.layers) ? given.layers : {};
   for (const name of layerNames) {
     const shown = givenLayers[name];
     if (typeof shown === 'boolean') layers[name] = shown;
   }
-  const speed = given['speed'];
+  const speed = given.speed;
   return {
-    theme: oneOf(given['theme'], ['auto', 'light', 'dark'], defaultSettings.theme),
-    length: oneOf(given['length'], ['m', 'mm'], defaultSettings.length),
-    angle: oneOf(given['angle'], ['deg', 'rad'], defaultSettings.angle),
+    theme: oneOf(given.theme, ['auto', 'light', 'dark'], defaultSettings.theme),
+    length: oneOf(given.length, ['m', 'mm'], defaultSettings.length),
+    angle: oneOf(given.angle, ['deg', 'rad'], defaultSettings.angle),
     layers,
-    trail: oneOf(given['trail'], trailLengths, defaultSettings.trail),
+    trail: oneOf(given.trail, trailLengths, defaultSettings.trail),
     speed: typeof speed === 'number' && speed >= 0.05 && speed <= 20 ? speed : defaultSettings.speed,
   };
 }

@@ -1,0 +1,70 @@
+// Opening files and cases, saving reports and pictures; each failure is one line.
+
+import type { Context } from '../panels/panel';
+import { caseTitle } from '../panels/header';
+import { secondsText } from '../panels/format';
+import { embeddedLog } from '../source/embedded_log';
+import { save } from './files';
+import type { Outside } from './parts';
+import { fileName, pageText, report } from './report';
+
+export async function openFile(context: Context, file: File): Promise<void> {
+  await attempt(context, async () => {
+    const bytes = /\.html?$/i.test(file.name)
+      ? await logInReport(await file.text(), file.name)
+      : await file.arrayBuffer();
+    await context.viewer.openLog(bytes, file.name);
+  });
+}
+
+// A case of the bridge: played by the player when it may be asked, else read as a file.
+export async function openCase(context: Context, outside: Outside, id: string): Promise<void> {
+  if (id === '' || id === context.viewer.state.caseInfo?.caseId) return;
+  const { viewer } = context;
+  if (viewer.state.connection.kind === 'socket' && viewer.state.status !== null) {
+    const ack = await viewer.control('load', -1, [0], id);
+    if (ack.ok) return;
+    context.notify(`load: ${ack.text}; opened as a file`, true);
+  }
+  await attempt(context, async () => {
+    if (outside.fetchCase === undefined) throw new Error(`case ${id}: there is no bridge to fetch it from`);
+    await viewer.openLog(await outside.fetchCase(id), id);
+  });
+}
+
+export async function saveReport(context: Context): Promise<void> {
+  const { state } = context.viewer;
+  if (state.frame === null) return;
+  await attempt(context, async () => {
+    const title = state.caseInfo === null ? 'recording' : caseTitle(state.caseInfo);
+    const text = await report(pageText(document), title, context.viewer.held());
+    const name = fileName(state.caseInfo?.caseId ?? '', '.html');
+    save(name, new Blob([text], { type: 'text/html' }));
+    context.notify(`saved ${name}, ${(text.length / 1e6).toFixed(2)} MB`);
+  });
+}
+
+export async function savePicture(context: Context): Promise<void> {
+  await attempt(context, async () => {
+    const { caseInfo, tUs } = context.viewer.state;
+    const name = fileName(`${caseInfo?.caseId ?? 'map'}_${secondsText(tUs, 2)}s`, '.png');
+    const picture = await context.map()?.picture();
+    if (picture === undefined) throw new Error('there is no map to save');
+    save(name, picture);
+    context.notify(`saved ${name}`);
+  });
+}
+
+async function attempt(context: Context, work: () => Promise<void>): Promise<void> {
+  try {
+    await work();
+  } catch (error) {
+    context.notify(error instanceof Error ? error.message : String(error), true);
+  }
+}
+
+async function logInReport(text: string, name: string): Promise<ArrayBuffer> {
+  const log = await embeddedLog(new DOMParser().parseFromString(text, 'text/html'));
+  if (log === null) throw new Error(`${name}: expected a report with a log inside`);
+  return log.bytes;
+}
