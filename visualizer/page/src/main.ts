@@ -1,12 +1,16 @@
 // Where the page begins: viewer, shell and drawings are joined, and a source of data is found.
 import './main.css';
+import { createCurves } from './curves/curves';
+import { timeSvg } from './curves/time_svg';
 import { createMap } from './map/map_view';
+import { createTimeAxis } from './model/time_axis';
 import { mountShell } from './shell/shell';
 import { createSettings } from './shell/settings';
 import { browserViewer, bridgeUrl } from './source/browser';
 import { fetchCase, listCases } from './source/case_list';
 import { embeddedLog } from './source/embedded_log';
 import { followFragment } from './source/follow_fragment';
+import { createTimeline } from './timeline/timeline';
 
 function memory(): Storage | null {
   try {
@@ -27,7 +31,11 @@ async function begin(root: HTMLElement): Promise<void> {
       : { listCases: () => listCases(bridge), fetchCase: (id: string) => fetchCase(bridge, id) };
   const shell = mountShell(root, viewer, settings, outside);
   const map = createMap(shell.mapHost, viewer, settings);
+  const axis = createTimeAxis();
+  const timeline = createTimeline(shell.timelineHost, viewer, axis);
+  const curves = createCurves(shell.curvesHost, viewer, axis);
   shell.attachMap(map);
+  shell.attachCurves?.({ svg: () => timeSvg(timeline, curves, viewer) });
   viewer.onRefusal((line) => shell.notify(line, true));
   followFragment(viewer, window);
   if (__VIZ_TEST__) window.__viz = { stats: () => map.stats(), state: () => viewer.state };

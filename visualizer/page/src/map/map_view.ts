@@ -18,7 +18,6 @@ import { worldBounds } from './world_bounds';
 import './map.css';
 
 export interface MapView extends MapControls {
-  svg(): string; // the map as it is seen now
   stats(): { drawn: number; fps: number; scriptMs: number }; // scriptMs: of the last picture
 }
 

@@ -7,6 +7,7 @@ import { glyphRadius } from './glyphs';
 import { lengthText } from './length_text';
 import { objectX, objectY, valueAt } from './columns';
 import { objectName } from './object_name';
+import { Places } from './places';
 import { FAULT_COLORS, ON_FAULT } from './palette';
 import type { Scene } from './scene';
 import { circle, type Surface } from './surface';
@@ -19,6 +20,9 @@ const NEAR_NAMED = 30;
 let distances = new Float64Array(0);
 let sorted = new Float64Array(0);
 
+const names = new Places(26, 13);
+const letters = new Places(15, 17);
+
 export function drawLabels(surface: Surface, scene: Scene, frame: PackedFrame): void {
   const { view, palette } = scene;
   const { ids, kinds } = frame.layout;
@@ -28,13 +32,15 @@ export function drawLabels(surface: Surface, scene: Scene, frame: PackedFrame): 
   surface.textAlign = 'left';
   surface.textBaseline = 'middle';
   surface.fillStyle = palette.text;
+  names.begin();
   for (let row = 0; row < ids.length; row++) {
     const id = ids[row] ?? -1;
     const faulted = (valueAt(frame, row, Col.flags) & 4) !== 0;
     const wanted = faulted || id === scene.observer || scene.pinned.includes(id);
     if (!wanted && !((distances[row] ?? 0) <= near) && near !== Infinity) continue;
     const x = objectX(view, frame, row) + offset;
-    surface.fillText(objectName(id, kinds[row] ?? 0), x, objectY(view, frame, row) - offset);
+    const y = names.free(x, objectY(view, frame, row) - offset);
+    surface.fillText(objectName(id, kinds[row] ?? 0), x, y);
   }
 }
 
@@ -64,13 +70,15 @@ export function drawFaultLetters(surface: Surface, scene: Scene, frame: PackedFr
   surface.font = `bold 11px ${palette.font}`;
   surface.textAlign = 'center';
   surface.textBaseline = 'middle';
+  letters.begin();
   for (const fault of scene.faults?.items ?? []) {
     const row = frame.layout.rowOf.get(fault.object);
     if (row === undefined || !activeAt(fault, scene.tUs)) continue;
     const place = shown.get(fault.object) ?? 0;
     shown.set(fault.object, place + 1);
     const x = objectX(view, frame, row) + offset + 7 + place * 17;
-    drawLetter(surface, faultLetter(fault), x, objectY(view, frame, row) + offset);
+    const y = letters.free(x, objectY(view, frame, row) + offset);
+    drawLetter(surface, faultLetter(fault), x, y);
   }
 }
 

@@ -71,3 +71,15 @@ export function marks(span: Span, atLeastUs: number): { timesUs: number[]; stepU
   for (let t = Math.ceil(span.fromUs / stepUs) * stepUs; t <= span.toUs; t += stepUs) timesUs.push(t);
   return { timesUs, stepUs };
 }
+
+// The end of an axis for data that still grow: some room to the right, so that the axis seldom moves.
+export function roomFor(toUs: number): number {
+  const steps = [10, 15, 20, 30, 45, 60, 90, 120, 180, 240, 300, 450, 600];
+  const seconds = toUs / 1e6;
+  return (steps.find((step) => step >= seconds) ?? Math.ceil(seconds / 300) * 300) * 1e6;
+}
+
+// What the axis of a viewer spans: the whole of a case that is known, room to grow otherwise.
+export function wholeSpan(known: boolean, fromUs: number, durationUs: number): Span {
+  return known ? { fromUs: 0, toUs: durationUs } : { fromUs: Math.min(fromUs, 0), toUs: roomFor(durationUs) };
+}

@@ -12,6 +12,8 @@ const THINNED_STEP_US = 100_000;
 const PART = 0.1;
 
 export class TimeBuffer<T extends Timed> {
+  // One more with each change other than adding at the end: indexes seen before count no longer.
+  edits = 0;
   private items: T[] = [];
   private total = 0;
   private thinnedCount = 0; // items at the start that were thinned already
@@ -43,6 +45,7 @@ export class TimeBuffer<T extends Timed> {
   }
 
   clear(): void {
+    this.edits += 1;
     this.items = [];
     this.total = 0;
     this.thinnedCount = 0;
@@ -55,10 +58,12 @@ export class TimeBuffer<T extends Timed> {
     if (same !== undefined && same.tUs === item.tUs) {
       this.total -= same.bytes;
       this.items[index] = item;
+      this.edits += 1;
     } else if (index === this.items.length - 1) {
       this.items.push(item);
     } else {
       this.items.splice(index + 1, 0, item);
+      this.edits += 1;
       if (index + 1 < this.thinnedCount) this.thinnedCount += 1;
     }
     this.total += item.bytes;
@@ -86,6 +91,7 @@ export class TimeBuffer<T extends Timed> {
   }
 
   private shrink(): void {
+    this.edits += 1;
     while (this.total > this.limitBytes && this.items.length > 1) {
       if (this.thinnedCount < this.items.length - 1) this.thinNext();
       else this.drop(Math.max(1, Math.floor(this.items.length * PART)));

@@ -13,6 +13,12 @@ export interface MapControls {
   clear(): void; // Esc: measurement and the like
   centreOn(x: number, y: number): void; // m
   picture(): Promise<Blob>; // PNG of what is seen
+  svg(): string; // the same as an SVG document
+}
+
+// What the shell asks of timeline and curves.
+export interface CurveControls {
+  svg(): string; // both as one SVG document, for the span of time that is seen
 }
 
 export interface Shell {
@@ -20,6 +26,7 @@ export interface Shell {
   readonly timelineHost: HTMLElement; // above the curves, same width
   readonly curvesHost: HTMLElement;
   attachMap(map: MapControls): void;
+  attachCurves?(curves: CurveControls): void;
   notify(line: string, bad?: boolean): void; // one line, for some seconds
 }
 
