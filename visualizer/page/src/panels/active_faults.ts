@@ -31,7 +31,7 @@ export function activeFaultsPanel({ viewer }: Context): Panel {
 
 function item(fault: Fault): HTMLElement {
   const until = fault.toUs < 0 ? 'no end known' : `until ${secondsText(fault.toUs, 2)} s`;
-  const hits = fault.hits < 0 ? '' : `, ${fault.hits} hits`;
+  const hits = fault.hits < 0 ? '' : `, ${fault.hits} hit${fault.hits === 1 ? '' : 's'}`;
   return el(
     'li',
     {

@@ -16,6 +16,7 @@ export function commandsPanel(context: Context): Panel {
   let shown: readonly Command[] = [];
   let rows: HTMLElement[] = [];
   let current = -2;
+  copyAll.hidden = true;
 
   const rebuild = (info: CaseInfo | null): void => {
     shown = info?.commands ?? [];

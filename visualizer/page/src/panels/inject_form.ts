@@ -33,8 +33,8 @@ class InjectForm {
   private readonly unit = el(
     'select',
     {},
-    el('option', { value: 's' }, 'seconds'),
-    el('option', { value: 'calls' }, 'probe calls'),
+    el('option', { value: 's' }, 's'),
+    el('option', { value: 'calls' }, 'calls'),
   );
   private readonly start = el('input', { type: 'text', inputmode: 'decimal', value: '0', size: '5' });
   private readonly length = el('input', {
@@ -68,13 +68,17 @@ class InjectForm {
     const form = el(
       'form',
       { novalidate: true },
-      labelled('Object', this.object, 'field beside'),
-      labelled('Probe', this.probe, 'field beside'),
+      el('div', { class: 'two' }, labelled('Object', this.object), labelled('Probe', this.probe)),
       labelled('Model', this.model, 'field beside'),
       this.meaning,
       this.parameters,
-      labelled('Time in', this.unit, 'field beside'),
-      el('div', { class: 'two' }, labelled('Start in', this.start), labelled('For', this.length)),
+      el(
+        'div',
+        { class: 'three' },
+        labelled('Start in', this.start),
+        labelled('For', this.length),
+        labelled('Counted in', this.unit),
+      ),
       el('p', { class: 'row' }, this.inject, this.clear, this.fork),
       this.reason,
     );

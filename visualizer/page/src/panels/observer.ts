@@ -1,4 +1,4 @@
-// The inspector of the observer: choosing it, its numbers, following it, pinning its curves.
+// The inspector of the observer: choosing it, its numbers, pinning its curves.
 
 import { button, el, labelled, setHidden, setOptions } from '../shell/dom';
 import { facts } from './facts';
@@ -13,23 +13,23 @@ export function observerPanel(context: Context): Panel {
   const choose = el('select', {});
   choose.addEventListener('change', () => viewer.observe(Number(choose.value)));
   const all = facts(observerFacts);
-  const follow = button('Follow', () => viewer.setFollowed(!viewer.state.followed), { title: 'key C' });
   const pin = button('Pin curves', () => viewer.pin(viewer.state.observer, !isPinned()));
   const isPinned = (): boolean => viewer.state.pinned.includes(viewer.state.observer);
   const pins = el('p', { class: 'chips' });
+  const observed = labelled('Observer', choose, 'field beside');
+  observed.append(pin);
   const element = el(
     'section',
     { class: 'section', 'aria-label': 'Selected object' },
     el('h2', {}, 'Selected object'),
-    labelled('Observer', choose, 'field beside'),
+    observed,
     all.element,
-    el('p', { class: 'row' }, follow, pin),
     pins,
   );
   let pinned = '';
 
   const update = (): void => {
-    const { frame, risk, observer, followed } = viewer.state;
+    const { frame, risk, observer } = viewer.state;
     const objects = frame?.objects ?? [];
     const none = { value: '-1', label: objects.length === 0 ? 'none' : 'choose…' };
     const options = objects.map((o) => ({ value: String(o.id), label: objectName(o) }));
@@ -42,8 +42,6 @@ export function observerPanel(context: Context): Panel {
         all.set(name, text, bad === true ? 'bad' : '');
       }
     }
-    follow.disabled = object === undefined;
-    follow.setAttribute('aria-pressed', String(followed));
     pin.disabled = object === undefined || (!isPinned() && viewer.state.pinned.length >= mostPinned);
     pin.setAttribute('aria-pressed', String(isPinned()));
     showPins();

@@ -12,6 +12,7 @@ import { eventsPanel } from '../panels/events';
 import { caseTitle, headerPanel } from '../panels/header';
 import { injectPanel } from '../panels/inject_form';
 import { layersPanel } from '../panels/layers';
+import { mapButtonsPanel } from '../panels/map_buttons';
 import { objectsPanel } from '../panels/objects';
 import { observerPanel } from '../panels/observer';
 import { type Context, Updates } from '../panels/panel';
@@ -72,12 +73,21 @@ export const mountShell: MountShell = (root, viewer, settings, outside) => {
   ];
   const transport = transportPanel(context);
   const banners = bannersPanel(context);
+  const mapButtons = mapButtonsPanel(context);
   const empty = emptyPanel(context, picker.open);
 
   const mapHost = el('div', { class: 'map-host' });
   const timelineHost = el('div', { class: 'timeline-host' });
   const curvesHost = el('div', { class: 'curves-host' });
-  const stage = el('main', { class: 'stage' }, mapHost, empty.element, banners.element, lines.element);
+  const stage = el(
+    'main',
+    { class: 'stage' },
+    mapHost,
+    mapButtons.element,
+    empty.element,
+    banners.element,
+    lines.element,
+  );
   const [commands, objects, events, shrinking] = left;
   columns.left.append(
     tabs('Case', [
@@ -115,7 +125,7 @@ export const mountShell: MountShell = (root, viewer, settings, outside) => {
     },
   });
 
-  const panels = [header, ...left, layers, ...right, transport, banners, empty];
+  const panels = [header, ...left, layers, ...right, transport, mapButtons, banners, empty];
   const updates = new Updates(
     panels,
     () => performance.now(),
