@@ -48,6 +48,8 @@ test    cmd:arm-none-eabi-gcc    gcc-arm-none-eabi
 test    cmd:aarch64-linux-gnu-g++  g++-aarch64-linux-gnu
 test    cmd:qemu-aarch64         qemu-user
 test    cmd:ip                   iproute2
+test    cmd:node                 nodejs
+test    cmd:npm                  npm
 coverage cmd:lcov                lcov
 docs    cmd:git                  git
 docs    cmd:erl                  erlang-base

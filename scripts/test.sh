@@ -23,6 +23,7 @@ stages=(
   "format:scripts/stages/format.sh"
   "lint:scripts/stages/lint.sh"
   "docs:scripts/stages/docs.sh"
+  "visualizer:scripts/stages/visualizer.sh"
   "fuzz:scripts/stages/fuzz.sh"
 )
 wanted=("$@")

@@ -4,7 +4,13 @@ import { defineConfig } from 'vitest/config';
 export default defineConfig({
   define: { __VIZ_TEST__: 'true' },
   test: {
-    include: ['codec/**/*.test.ts', 'bridge/**/*.test.ts', 'page/**/*.test.ts', 'build/**/*.test.ts'],
+    include: [
+      'codec/**/*.test.ts',
+      'fuzz/**/*.test.ts',
+      'bridge/**/*.test.ts',
+      'page/**/*.test.ts',
+      'build/**/*.test.ts',
+    ],
     testTimeout: 10_000,
   },
 });

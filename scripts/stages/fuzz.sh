@@ -31,4 +31,12 @@ for target in _build/cmake/fuzz/out/bin/fuzz_*; do
   check "$name" fuzz "$name" "$target" "$limit" -timeout=10 -rss_limit_mb=2048 \
     -artifact_prefix="_build/fuzz/$name-" "$corpus" "${seeds[@]}" 3>&1
 done
+
+# The readers of the page and the bridge (visualizer/fuzz/targets.ts); they have no instrumentation, so 3 s each are
+# enough unless more is asked for.
+if check "fuzz targets of the visualizer build" scripts/build_visualizer.sh fuzz; then
+  for target in packet fragments log message protocol; do
+    check "viz_$target" fuzz "viz_$target" node _build/visualizer/fuzz.mjs "$target" "${FUZZ_SECONDS:-3}" "${FUZZ_RUNS:-}" 3>&1
+  done
+fi
 finish

@@ -4,7 +4,7 @@ export class Random {
   private state: number;
 
   constructor(seed: number) {
-    this.state = (seed ^ 0x9e3779b9) | 1;
+    this.state = Math.imul(seed + 1, 0x9e3779b1) || 1; // never 0, and far apart for neighbours
   }
 
   // A whole number from 0 to below `limit`.
