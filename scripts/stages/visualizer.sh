@@ -22,11 +22,13 @@ status=$?
 if [ -f "$reports/visualizer.xml" ]; then count_junit "$reports/visualizer.xml"; fi
 
 # The same sources elsewhere give the same bytes, with nothing of this folder in them.
-elsewhere=$(mktemp -d)
+elsewhere=$root/_build/visualizer/elsewhere
+rm -rf "$elsewhere"
+mkdir -p "$elsewhere"
 trap 'rm -rf "$elsewhere"' EXIT
 git ls-files -co --exclude-standard visualizer lcm docs | grep -v '^visualizer/dist/' |
   tar -c -T - | tar -x -C "$elsewhere"
-ln -s "$root/visualizer/node_modules" "$elsewhere/visualizer/node_modules"
+cp -al visualizer/node_modules "$elsewhere/visualizer/node_modules" # no link: the tools would see where it leads
 (cd "$elsewhere/visualizer" && npm run --silent build) >>"$log" 2>&1 || status=1
 no_paths() { ! grep -l -e "$root" -e "$elsewhere" -e "$HOME/" "$1"; }
 committed() { git cat-file -p "HEAD:visualizer/dist/$1" | cmp - "$elsewhere/visualizer/dist/$1"; }
