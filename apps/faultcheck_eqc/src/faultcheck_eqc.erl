@@ -162,7 +162,7 @@ latest_post(S, [Name, Place], Result) ->
 %% ---- probe ------------------------------------------------------------------------------------
 probe_pre(S) -> allowed(probe, S).
 probe_args(S) ->
-    ?LET({Name, Id}, {context(S), probe_id(S)}, begin
+    ?LET({Name, Id}, probed(S), begin
         Models = [M || #{model := M} <- faultcheck_ref:faults({probe, Id}, context(Name, S))],
         ?LET(Type, telling_type(Models), [Name, Id, Type, telling_value(Type, Models)])
     end).
@@ -442,11 +442,23 @@ type() ->
     frequency([{3, f64}, {2, f32}, {3, i32} |
                [{1, T} || T <- [i8, i16, i64, u8, u16, u32, u64, bool, bytes]]]).
 
-%% Bytes are held by code of their own, which only several of them show.
+%% Half of the probes are where faults are armed: some show only in several calls running.
+probed(#state{contexts = Contexts} = S) ->
+    Anywhere = {context(S), probe_id(S)},
+    Places = [
+        {Name, Id}
+     || {Name, C} <- maps:to_list(Contexts), {{probe, Id}, _} <- faultcheck_ref:faults(C)
+    ],
+    case Places of
+        [] -> Anywhere;
+        _ -> frequency([{1, Anywhere}, {1, oneof(Places)}])
+    end.
+
+%% What is held is held for each type, so calls of one type show it.
 telling_type(Models) ->
     case [held || {dropout, _, hold} <- Models] of
         [] -> type();
-        _ -> frequency([{1, type()}, {1, bytes}])
+        _ -> frequency([{1, type()}, {3, f64}])
     end.
 
 %% Often exactly where an armed fault begins to act.
