@@ -1,6 +1,6 @@
 // Big-endian bytes, read with every length checked and written into a buffer that grows.
 
-const decoder = new TextDecoder('utf-8');
+const decoder = new TextDecoder('utf-8', { ignoreBOM: true });
 const encoder = new TextEncoder();
 
 // Thrown by a Reader: one line that names the byte.

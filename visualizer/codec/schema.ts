@@ -216,13 +216,16 @@ function length(value: LcmValue | undefined, field: Field): number {
   return value.length;
 }
 
-const bits: Partial<Record<Primitive, number>> = { int8_t: 8, int16_t: 16, int32_t: 32, int64_t: 54 };
+const bits: Partial<Record<Primitive, number>> = { int8_t: 8, int16_t: 16, int32_t: 32, int64_t: 64 };
 
 function toNumber(field: Field, value: LcmValue | undefined): number {
   const number = typeof value === 'boolean' ? Number(value) : value;
   if (typeof number !== 'number') throw new Error(`${field.path}: expected a number`);
   const width = bits[field.member.type as Primitive];
-  if (width !== undefined && !(Number.isInteger(number) && Math.abs(number + 0.5) < 2 ** (width - 1)))
+  if (
+    width !== undefined &&
+    !(Number.isSafeInteger(number) && number < 2 ** (width - 1) && number >= -(2 ** (width - 1)))
+  )
     throw new Error(`${field.path}: ${number} is no ${field.member.type}`);
   return number;
 }
