@@ -98,6 +98,13 @@ bool player::advance(std::uint64_t t_us) {
     return good();
 }
 
+bool player::act_due() {
+    if (!finished()) {
+        act_now();
+    }
+    return good();
+}
+
 /* The time of the first event or end of a fault that is still to come. */
 std::uint64_t player::next_change() const {
     std::uint64_t next = UINT64_MAX - scenario_.dt_us;
@@ -115,7 +122,11 @@ void player::act_now() {
     remove_ended_faults();
     while (good() && next_event_ < scenario_.events.size() &&
            scenario_.events[next_event_].t_us <= now) {
-        std::visit([this](const auto &what) { act(what); }, scenario_.events[next_event_++].what);
+        const event &e = scenario_.events[next_event_++];
+        if (on_event) {
+            on_event(e);
+        }
+        std::visit([this](const auto &what) { act(what); }, e.what);
     }
     remove_ended_faults(); /* those of no duration, or whose time passed between two steps */
 }
@@ -125,6 +136,9 @@ void player::remove_ended_faults() {
     auto ended = [this, now](const armed &a) {
         if (a.end_us > now) {
             return false;
+        }
+        if (on_end) {
+            on_end(a.id);
         }
         fc_remove(csim_faults(sim_), a.id);
         return true;
@@ -163,7 +177,12 @@ void player::act(const fault &f) {
     fc_fault_id id = arm_fault(csim_faults(sim_), f);
     if (id <= 0) {
         error_ = "fault on " + f.id + ": " + fc_last_error_text();
-    } else if (f.duration_us) {
+        return;
+    }
+    if (on_armed) {
+        on_armed(f, id);
+    }
+    if (f.duration_us) {
         armed_.push_back({scenario_.events[next_event_ - 1].t_us + *f.duration_us, id, &f});
     }
 }

@@ -38,8 +38,17 @@ class player {
      * starts at their time, or, between two steps, before the next one. */
     bool advance(std::uint64_t t_us);
 
+    /* Carries out what is ordered for now; advance would do it before its first step. For those who
+     * look at the simulation in between. */
+    bool act_due();
+
     /* Called before a copter goes, by a remove_copter event. */
     std::function<void(std::int32_t id)> on_remove;
+    /* Called before an event acts. */
+    std::function<void(const event &e)> on_event;
+    /* Called when a fault has been armed, and before one goes at the end of its duration. */
+    std::function<void(const fault &f, fc_fault_id id)> on_armed;
+    std::function<void(fc_fault_id id)> on_end;
 
   private:
     struct armed {
