@@ -29,6 +29,10 @@ for app in c_bridge faultcheck eqc_compat replay; do
   install_app "_build/default/lib/$app" "$app"
 done
 install_app _build/default/checkouts/rebar3_faultcheck rebar3_faultcheck
+# Reports are this page with a recording in it.
+if [ -f visualizer/dist/page.html ]; then
+  install -D -m 644 visualizer/dist/page.html "$prefix/lib/faultcheck/replay-$version/priv/page.html"
+fi
 
 install -D -m 755 bin/faultcheck "$prefix/bin/faultcheck"
 echo "installed below $prefix; try: $prefix/bin/faultcheck new DIR"

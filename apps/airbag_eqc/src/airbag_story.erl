@@ -32,8 +32,8 @@ sentences(Trace) ->
     reasons(Trace).
 
 reasons(#{result := Result}) ->
-    [string:trim(Line) || Line <- string:split(lists:flatten(faultcheck_pretty:why(Result)), "\n",
-        all), string:trim(Line) =/= ""].
+    Why = lists:flatten(faultcheck_pretty:why(Result)),
+    [string:trim(Line) || Line <- string:split(Why, "\n", all), string:trim(Line) =/= ""].
 
 last(#{steps := Steps}) ->
     lists:last([Step || #{value := {value, _}} = Step <- Steps]).
@@ -57,7 +57,8 @@ fired({Number, At, #{bytes := Bytes, activations := Count} = Packet}, Trace) ->
         change(airbag_trace:flipped(Packet)),
         checked(Packet),
         [
-            io_lib:format("It is activation message ~b in succession, and ~b fire", [Count, Needed]),
+            io_lib:format("It is activation message ~b in succession, and ", [Count]),
+            io_lib:format("~b fire", [Needed]),
             [$s || Needed =:= 1], " the airbag."
         ]
     ] ++ copies(At, Steps) ++ armed(Armed).

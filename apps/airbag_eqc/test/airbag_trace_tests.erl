@@ -4,7 +4,8 @@
 trace_test_() ->
     {setup, fun airbag_test_sut:port/0, fun(_) -> airbag_sut:stop() end, [
         {"a bit that is flipped is seen in what arrives", fun flip/0},
-        {"a repeated packet arrives so many times, all count, and the next one does not", fun repetition/0},
+        {"a repeated packet arrives so many times, and all count; the next does not",
+            fun repetition/0},
         {"an explosion is without faults", fun explosion/0},
         {"status, CRC and counter of each protected packet", fun protected/0},
         {"what behind the failure would come is not run", fun not_run/0},

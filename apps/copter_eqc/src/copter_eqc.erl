@@ -327,15 +327,15 @@ safe(Options, Tell, Shrinking) ->
 
 %% @doc Adds to the folder of a stored case its scenario, for coptersim_run and make replay, and its
 %% recording.
--spec report(faultcheck_case:'case'(), file:filename()) -> ok.
+-spec report(faultcheck_case:'case'(), file:filename()) -> faultcheck_case:told().
 report(Case, Dir) ->
     Settings = copter_sut:settings(copter_options:current()),
     Endings = copter_view:endings(Case, Settings),
     Scenario = copter_scenario:from_case(Case, Settings, Endings),
-    ok = file:write_file(filename:join(Dir, "scenario.json"), faultcheck_json:pretty(Scenario)),
+    ok = faultcheck_case:add_file(Dir, "scenario.json", faultcheck_json:pretty(Scenario)),
     View = copter_view:of_case(Case, shrunk, Settings, maps:get(shrunk, Endings)),
     case replay_recording:write({copter_view, View}, filename:join(Dir, "run.lcm")) of
-        {ok, _} -> ok;
+        {ok, _} -> (replay_report:write(Dir))#{watch => true};
         {error, Line} -> error({recording, Line})
     end.
 

@@ -84,22 +84,34 @@ removing_a_copter_leaves_the_others_test() ->
     ).
 
 %% What the runner asks of a model when it stores a case.
-a_case_gets_its_scenario_test() ->
+a_case_gets_its_scenario_its_recording_and_its_page_test() ->
     ok = copter_options:use(copter_options:new(#{world => reference})),
     Commands = copter_test_commands:of_calls([{add_copter, [0, 0, 0]}, {iterate, [1000]}]),
     Dir = cb_files:fresh_name("copter_case", ""),
     ok = file:make_dir(Dir),
     try
-        ok = copter_eqc:report(
+        Told = copter_eqc:report(
             #{
+                module => prop_copter,
                 property => prop_x,
+                status => failed,
+                options => [],
+                shrink => #{},
                 reasons => ["postcondition false"],
                 seed => 4711,
                 versions => #{faultcheck => "1", proper => "2", otp => "3", git => "4"},
+                original => [Commands],
                 shrunk => [Commands]
             },
             Dir
         ),
+        ?assertMatch(#{watch := true}, Told),
+        ?assert(filelib:is_regular(filename:join(Dir, "run.lcm"))),
+        %% Where nobody has built the page, a note says so.
+        case replay_report:page() of
+            {ok, _} -> ?assert(filelib:is_regular(filename:join(Dir, "report.html")));
+            {error, Line} -> ?assertEqual(["no report.html: " ++ Line], maps:get(notes, Told))
+        end,
         {ok, Text} = file:read_file(filename:join(Dir, "scenario.json")),
         {ok, Scenario} = faultcheck_json:decode(Text),
         ?assertMatch(

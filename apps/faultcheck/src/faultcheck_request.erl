@@ -81,7 +81,8 @@ with_session(#{options := Options, base_dir := Base} = Request, Fun) ->
 -spec context(run()) -> faultcheck_outcome:context().
 context(#{request := Request} = Run) ->
     maps:merge(
-        maps:with([options, command, replay, watch], Request), maps:with([seed, versions, team], Run)
+        maps:with([options, command, replay, watch], Request),
+        maps:with([seed, versions, team], Run)
     ).
 
 %% Different in every run, also of runs begun at the same moment.

@@ -34,7 +34,8 @@ what_the_model_told_stands_below_the_replay_test() ->
 
 a_case_that_cannot_be_watched_is_not_offered_test() ->
     Told = (failure())#{told => #{report => "a.html"}, watch => "make visualizer CASE="},
-    ?assertEqual([], [L || L <- faultcheck_report:failure(Told), string:find(L, "watch") =/= nomatch]).
+    Lines = faultcheck_report:failure(Told),
+    ?assertEqual([], [Line || Line <- Lines, string:find(Line, "watch") =/= nomatch]).
 
 stopped_shrinking_is_not_minimal_test() ->
     Stopped = #{tries => 5, accepted => 1, minimal => false, stopped => max_ms},

@@ -7,7 +7,7 @@
 %% A writer makes a temporary file, which close/1 renames; discard/1 leaves nothing behind.
 -module(replay_lcm_log).
 
--export([fold/3, read/1, events/1]).
+-export([fold/3, read/1, events/1, bytes/1]).
 -export([create/1, write/4, close/1, discard/1]).
 -export_type([event/0, writer/0]).
 
@@ -145,11 +145,18 @@ create(File) ->
 %% @doc Appends one message; the time is that of the log, here simulated us.
 -spec write(writer(), integer(), binary(), iodata()) -> {ok, writer()} | {error, line()}.
 write(#writer{device = Device, number = Number, file = File} = Writer, T, Channel, Data) ->
-    Header = <<?MAGIC:32, Number:64, T:64, (byte_size(Channel)):32, (iolist_size(Data)):32>>,
-    case file:write(Device, [Header, Channel, Data]) of
+    Event = #{number => Number, t_us => T, channel => Channel, data => Data},
+    case file:write(Device, bytes(Event)) of
         ok -> {ok, Writer#writer{number = Number + 1}};
         {error, Reason} -> {error, about(File, file:format_error(Reason))}
     end.
+
+%% @doc An event as it is in a log.
+-spec bytes(#{number := integer(), t_us := integer(), channel := binary(), data := iodata()}) ->
+    iodata().
+bytes(#{number := Number, t_us := T, channel := Channel, data := Data}) ->
+    Lengths = <<(byte_size(Channel)):32, (iolist_size(Data)):32>>,
+    [<<?MAGIC:32, Number:64, T:64>>, Lengths, Channel, Data].
 
 %% @doc Gives the log its name.
 -spec close(writer()) -> ok | {error, line()}.
