@@ -7,7 +7,7 @@ import { badgeOf, controlReason } from './badge';
 import { commandAt } from './event_log';
 import { type PackedFrame, unpackFrame } from './packed_frame';
 import { type PackedRisk, unpackRisk } from './packed_risk';
-import { PendingControl, refusal } from './pending_control';
+import { PendingControl, refusal, refusalLine } from './pending_control';
 import { type PlayContext, Playback, type Wish } from './playback';
 import { RunData } from './run_data';
 import { Selection } from './selection';
@@ -370,7 +370,7 @@ class ViewerModel implements Viewer {
     if (this.sendingReason !== '' && QUIET_VERBS.includes(verb)) return;
     void this.control(verb, object, args).then((ack) => {
       if (ack.ok) return;
-      for (const listener of this.refusalListeners) listener(`${verb}: ${ack.text}`);
+      for (const listener of this.refusalListeners) listener(refusalLine(verb, ack.text));
     });
   }
 

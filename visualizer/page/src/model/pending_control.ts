@@ -48,3 +48,8 @@ export class PendingControl {
 export function refusal(seq: number, text: string): Ack {
   return { client: '', seq, ok: false, text };
 }
+
+// The player's refusals begin with the verb, those of this page and of the bridge do not.
+export function refusalLine(verb: string, text: string): string {
+  return text.startsWith(`${verb}:`) ? text : `${verb}: ${text}`;
+}

@@ -1,5 +1,6 @@
 // What the parts of the columns have in common.
 
+import { refusalLine } from '../model/pending_control';
 import type { Topic, Viewer } from '../model/viewer';
 import type { MapControls } from '../shell/parts';
 import type { SettingsStore } from '../shell/settings';
@@ -29,7 +30,7 @@ export async function act(
   const ack = await context.viewer.control(verb, object, args, text);
   const name = verb.replaceAll('_', ' ');
   if (ack.ok) context.notify(ack.text === '' ? `${name}: done` : `${name}: ${ack.text}`);
-  else context.notify(`${name}: ${ack.text}`, true);
+  else context.notify(refusalLine(verb, ack.text), true);
   return ack.ok;
 }
 

@@ -1,5 +1,6 @@
 // Steering the observer by hand: keys WASD and QE or the buttons, while held; stop everything.
 
+import { refusalLine } from '../model/pending_control';
 import { button, el, setClass, setHidden, setText } from '../shell/dom';
 import { type SteerKey, steerKeys } from '../shell/keys';
 import { facts } from './facts';
@@ -84,7 +85,7 @@ export function steerPanel(context: Context): SteerPanel {
 // Answers to steering are told only when they are refusals.
 async function send(context: Context, object: number, args: readonly number[]): Promise<void> {
   const ack = await context.viewer.control('steer', object, args);
-  if (!ack.ok) context.notify(`steer: ${ack.text}`, true);
+  if (!ack.ok) context.notify(refusalLine('steer', ack.text), true);
 }
 
 function padButton(key: SteerKey, press: (key: SteerKey) => void, release: (key: SteerKey) => void) {

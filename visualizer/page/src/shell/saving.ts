@@ -3,6 +3,7 @@
 import type { Context } from '../panels/panel';
 import { caseTitle } from '../panels/header';
 import { secondsText } from '../panels/format';
+import { refusalLine } from '../model/pending_control';
 import { embeddedLog } from '../source/embedded_log';
 import { save } from './files';
 import type { Outside } from './parts';
@@ -24,7 +25,7 @@ export async function openCase(context: Context, outside: Outside, id: string): 
   if (viewer.state.connection.kind === 'socket' && viewer.state.status !== null) {
     const ack = await viewer.control('load', -1, [0], id);
     if (ack.ok) return;
-    context.notify(`load: ${ack.text}; opened as a file`, true);
+    context.notify(`${refusalLine('load', ack.text)}; opened as a file`, true);
   }
   await attempt(context, async () => {
     if (outside.fetchCase === undefined) throw new Error(`case ${id}: there is no bridge to fetch it from`);
