@@ -50,6 +50,7 @@ test    cmd:qemu-aarch64         qemu-user
 test    cmd:ip                   iproute2
 test    cmd:node                 nodejs
 test    cmd:npm                  npm
+test    cmd:chromium             chromium
 coverage cmd:lcov                lcov
 docs    cmd:git                  git
 docs    cmd:erl                  erlang-base

@@ -24,6 +24,7 @@ stages=(
   "lint:scripts/stages/lint.sh"
   "docs:scripts/stages/docs.sh"
   "visualizer:scripts/stages/visualizer.sh"
+  "browser:scripts/stages/browser.sh"
   "fuzz:scripts/stages/fuzz.sh"
 )
 wanted=("$@")

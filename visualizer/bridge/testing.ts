@@ -18,8 +18,15 @@ import { Journal } from './journal';
 // Settles when something else has happened: whoever waits is asked again after each change.
 export class Changes {
   private waiting: (() => void)[] = [];
+  private readonly always: (() => void)[] = [];
+
+  // Calls back after each change, for good.
+  each(look: () => void): void {
+    this.always.push(look);
+  }
 
   changed(): void {
+    for (const look of this.always) look();
     for (const look of this.waiting.splice(0)) look();
   }
 
@@ -108,7 +115,7 @@ export interface TestBridge extends AsyncDisposable {
   heard: Changes;
 }
 
-function freePort(): Promise<number> {
+export function freePort(): Promise<number> {
   return new Promise((resolve) => {
     const socket = createSocket('udp4').bind(0, '127.0.0.1', () => {
       const { port } = socket.address();
@@ -204,7 +211,7 @@ function get(port: number, path: string, headers: Record<string, string>, method
 }
 
 // Sends to the group as a player does, and records what is asked of it.
-async function startPlayer(group: Group) {
+export async function startPlayer(group: Group) {
   const socket = createSocket({ type: 'udp4', reuseAddr: group.multicast });
   await new Promise<void>((resolve) =>
     group.multicast

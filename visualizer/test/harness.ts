@@ -1,0 +1,229 @@
+// What every browser test begins with: pages in a browser, the real bridge as a program, a player that does what the
+// test says. Everything is taken down at the end of the test that asked for it.
+
+import { type ChildProcess, spawn } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, expect, inject } from 'vitest';
+import { Changes, freePort, startPlayer } from '../bridge/testing';
+import type { Control } from '../codec/messages';
+import type { ViewerState } from '../page/src/model/viewer';
+import type { MapView } from '../page/src/map/map_view';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+export const testPage = join(root, '_build/visualizer/page.html');
+const bridgeProgram = join(root, 'visualizer/dist/bridge.mjs');
+// The system's Node, which is what users have; it is older than the one that runs the tests.
+const node = existsSync('/usr/bin/node') ? '/usr/bin/node' : process.execPath;
+
+let browser: Browser;
+const endings: (() => Promise<void> | void)[] = [];
+
+beforeAll(async () => {
+  browser = await chromium.connect(inject('browser'));
+});
+afterAll(() => browser.close());
+afterEach(async () => {
+  for (const end of endings.splice(0).reverse()) await end();
+});
+
+export const atEnd = (end: () => Promise<void> | void): void => void endings.push(end);
+
+export function temporaryFolder(): string {
+  const folder = mkdtempSync(join(tmpdir(), 'viz-'));
+  atEnd(() => rmSync(folder, { recursive: true }));
+  return folder;
+}
+
+// A page, with what it wrote to its console and what it asked of the network.
+export interface Opened {
+  page: Page;
+  errors: string[]; // of the console and uncaught ones
+  requests: string[];
+  state<T>(look: (state: ViewerState) => T): Promise<T>;
+  until(look: (state: ViewerState) => unknown, limitMs?: number): Promise<void>; // look must be self-contained
+  stats(): Promise<MapStats>;
+}
+
+type MapStats = ReturnType<MapView['stats']>;
+
+interface Viz {
+  state(): ViewerState;
+  stats(): MapStats;
+}
+
+export async function openPage(url: string, options: BrowserContextOptions = {}): Promise<Opened> {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
+  atEnd(() => context.close());
+  const page = await context.newPage();
+  const errors: string[] = [];
+  const requests: string[] = [];
+  page.on('console', (message) => {
+    if (message.type() === 'error' || message.type() === 'warning') errors.push(message.text());
+  });
+  page.on('pageerror', (error) => errors.push(error.message));
+  page.on('request', (request) => requests.push(request.url()));
+  await page.goto(url);
+  // As text, which the browser evaluates beyond the page's content security policy.
+  const state = <T>(look: (state: ViewerState) => T): Promise<T> =>
+    page.evaluate(`(${String(look)})(window.__viz.state())`);
+  return {
+    page,
+    errors,
+    requests,
+    state,
+    until: async (look, limitMs = 10_000) => {
+      const found = await page.evaluate(untilInPage(String(look), limitMs));
+      if (found !== '') throw new Error(`not within ${limitMs} ms: ${String(look)}; ${String(found)}`);
+    },
+    stats: () => page.evaluate(() => (window as unknown as { __viz: Viz }).__viz.stats()),
+  };
+}
+
+// Looks at each animation frame. Ends with '' or, when it is too late, with what the state was.
+const untilInPage = (look: string, limitMs: number): string => `new Promise((resolve) => {
+  const end = performance.now() + ${limitMs};
+  const ask = () => {
+    const state = window.__viz?.state();
+    if (state && (${look})(state)) resolve('');
+    else if (performance.now() < end) requestAnimationFrame(ask);
+    else resolve(JSON.stringify({ ...state, frame: state?.frame?.seq, risk: null, world: null }).slice(0, 2000));
+  };
+  ask();
+})`;
+
+// The page of the tests opened as a file, without any bridge, with this log in it.
+export async function openLog(log: Uint8Array, options: BrowserContextOptions = {}): Promise<Opened> {
+  const opened = await openPage(`file://${testPage}`, options);
+  await opened.page
+    .locator('input[type=file]')
+    .setInputFiles({ name: 'scene.lcm', mimeType: 'application/octet-stream', buffer: Buffer.from(log) });
+  await opened.until((state) => state.badge === 'FILE');
+  return opened;
+}
+
+export interface BridgeProcess {
+  url: string;
+  port: number;
+  group: string;
+  cases: string;
+  lines: string[];
+  said: Changes;
+  kill(): Promise<void>;
+  restart(): Promise<void>; // on the same port
+}
+
+export interface BridgeSettings {
+  control?: boolean;
+  cases?: Record<string, Uint8Array>; // id: log
+}
+
+export async function startBridge(settings: BridgeSettings = {}): Promise<BridgeProcess> {
+  const folder = temporaryFolder();
+  const cases = join(folder, 'cases');
+  for (const [id, log] of Object.entries(settings.cases ?? {})) {
+    mkdirSync(join(cases, id), { recursive: true });
+    writeFileSync(join(cases, id, 'run.lcm'), log);
+  }
+  const group = `239.255.76.67:${await freePort()}`;
+  const lines: string[] = [];
+  const said = new Changes();
+  let child: ChildProcess | null = null;
+  const start = async (port: number): Promise<number> => {
+    const control = settings.control ? ['--allow-control', '--token-file', join(folder, 'token')] : [];
+    const before = lines.length;
+    const program = spawn(
+      node,
+      [
+        bridgeProgram,
+        '--port',
+        String(port),
+        '--group',
+        group,
+        '--cases',
+        cases,
+        '--page',
+        testPage,
+        ...control,
+      ],
+      { stdio: ['ignore', 'pipe', 'pipe'] },
+    );
+    child = program;
+    for (const stream of [program.stdout, program.stderr])
+      stream.on('data', (data: Buffer) => {
+        lines.push(...String(data).split('\n').filter(Boolean));
+        said.changed();
+      });
+    const ready = await said.until(
+      () => lines.slice(before).find((line) => line.includes('http://')),
+      'the bridge',
+    );
+    return Number(/:(\d+)\/ /.exec(ready)?.[1]);
+  };
+  const kill = async (): Promise<void> => {
+    const program = child;
+    child = null;
+    if (!program || program.exitCode !== null) return;
+    const gone = new Promise((resolve) => program.once('exit', resolve));
+    program.kill('SIGKILL');
+    await gone;
+  };
+  atEnd(kill);
+  const port = await start(0);
+  const restart = async (): Promise<void> => {
+    await kill();
+    await start(port);
+  };
+  return { url: `http://127.0.0.1:${port}/`, port, group, cases, lines, said, kill, restart };
+}
+
+export type Player = Awaited<ReturnType<typeof startPlayer>> & { answerAll(): void };
+
+// Publishes to the bridge's group, and hears what pages ask.
+export async function joinPlayer({ group }: Pick<BridgeProcess, 'group'>): Promise<Player> {
+  const [host = '', port = ''] = group.split(':');
+  const player = await startPlayer({
+    host,
+    port: Number(port),
+    multicast: true,
+    ttl: 0,
+    receiveBuffer: 2 ** 21,
+    network: false,
+  });
+  atEnd(() => void player.close());
+  let answered = 0;
+  // Says yes to whatever has been asked and whatever will be.
+  const answerAll = (): void => {
+    const answer = ({ client, seq }: Control) =>
+      player.publish({ channel: 'VIZ_ACK', value: { client, seq, ok: true, text: '' } });
+    const next = async (): Promise<void> => {
+      for (const control of player.controls.slice(answered)) {
+        answered += 1;
+        await answer(control);
+      }
+    };
+    player.heard.each(() => void next());
+  };
+  return { ...player, answerAll };
+}
+
+// A web site of somebody else on this host.
+export async function foreignSite(): Promise<string> {
+  const server = createServer((_, response) => {
+    response.setHeader('Content-Type', 'text/html');
+    response.end('<!doctype html><title>foreign</title>');
+  });
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  atEnd(() => void server.close());
+  const address = server.address();
+  return `http://127.0.0.1:${typeof address === 'object' && address ? address.port : 0}/`;
+}
+
+// A page that is used as it should be has nothing to complain about.
+export function expectNoErrors({ errors }: Opened): void {
+  expect(errors).toEqual([]);
+}

@@ -1,0 +1,15 @@
+// The browser tests, one after the other: they share two cores with a browser. Started by scripts/stages/browser.sh.
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vitest/config';
+
+export default defineConfig({
+  root: fileURLToPath(new URL('..', import.meta.url)),
+  test: {
+    include: ['test/**/*.test.ts'],
+    globalSetup: fileURLToPath(new URL('browser.ts', import.meta.url)),
+    fileParallelism: false,
+    maxWorkers: 1,
+    testTimeout: 30_000,
+    hookTimeout: 30_000,
+  },
+});
