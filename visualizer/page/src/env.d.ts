@@ -5,5 +5,5 @@ declare const __VIZ_TEST__: boolean;
 
 interface Window {
   // What the browser tests look at; in test builds only.
-  __viz?: { stats: () => unknown; state: () => unknown };
+  __viz?: { stats: () => unknown; state: () => unknown; viewer: unknown };
 }

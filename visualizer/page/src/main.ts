@@ -38,7 +38,7 @@ async function begin(root: HTMLElement): Promise<void> {
   shell.attachCurves?.({ svg: () => timeSvg(timeline, curves, viewer) });
   viewer.onRefusal((line) => shell.notify(line, true));
   followFragment(viewer, window);
-  if (__VIZ_TEST__) window.__viz = { stats: () => map.stats(), state: () => viewer.state };
+  if (__VIZ_TEST__) window.__viz = { stats: () => map.stats(), state: () => viewer.state, viewer };
   try {
     const log = await embeddedLog(document);
     if (log !== null) await viewer.openLog(log.bytes, log.name);

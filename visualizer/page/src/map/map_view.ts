@@ -10,6 +10,7 @@ import { listenGestures } from './gestures';
 import { drawMovingLayers } from './moving_layers';
 import { pick } from './picking';
 import type { Measure, Scene } from './scene';
+import { CanvasStamps } from './stamps';
 import { drawStaticLayers } from './static_layers';
 import { SvgSurface } from './svg_surface';
 import { currentPalette, onThemeChange } from './theme_watch';
@@ -47,6 +48,7 @@ class CanvasMap implements MapView {
   private readonly readout = el('div', { class: 'map-readout', 'aria-hidden': 'true' });
   private readonly stillSurface = context(this.still);
   private readonly movingSurface = context(this.moving);
+  private readonly stamps = new CanvasStamps(this.movingSurface);
 
   constructor(
     host: HTMLElement,
@@ -115,7 +117,7 @@ class CanvasMap implements MapView {
 
   svg(): string {
     const surface = new SvgSurface();
-    const scene = this.scene();
+    const scene = { ...this.scene(), stamps: null };
     drawStaticLayers(surface, scene);
     drawMovingLayers(surface, scene);
     const { width, height } = this.view.size;
@@ -268,6 +270,7 @@ class CanvasMap implements MapView {
       observer: state.observer,
       pinned: state.pinned,
       measure: this.measure,
+      stamps: this.stamps,
     };
   }
 }

@@ -2,7 +2,7 @@
 // Everything of one kind and colour is one path, and nothing is allocated per object, so that 400
 // objects are drawn without a graphics processor.
 
-import { ObjectFlag } from '../../../codec/messages';
+import { ObjectFlag, ObjectKind } from '../../../codec/messages';
 import { Col, type PackedFrame } from '../model/packed_frame';
 import { RISK_STRIDE, RiskCol } from '../model/packed_risk';
 import { objectX, objectY, valueAt } from './columns';
@@ -18,13 +18,15 @@ import {
 import { drawCollisions, drawFaultLetters, drawLabels, drawMeasure, drawRanges } from './marks';
 import { OBJECT_COLORS } from './palette';
 import type { Scene } from './scene';
+import type { Stamps } from './stamps';
 import { circle, FULL_CIRCLE, type Surface } from './surface';
 import { addTrail, trailFrames } from './trails';
 import { screenX, screenY, type View } from './view';
 
 // Perceived positions nearer than this to the true one are not told apart on the screen.
 const GHOST_PX = 2;
-const KIND_CAR = 1;
+// From so many objects on, copters are copied instead of drawn.
+const STAMPED_FROM = 80;
 
 const trailScratch: PackedFrame[] = [];
 
@@ -70,17 +72,21 @@ function addComfort(surface: Surface, view: View, frame: PackedFrame, row: numbe
   if (radius > 0) circle(surface, objectX(view, frame, row), objectY(view, frame, row), radius);
 }
 
-// Overlapping contours stand out by colour and by a thicker outline.
+// Overlapping contours stand out by colour and by a thicker outline. Each is a path of its own: one
+// path of hundreds of ellipses takes longer to fill.
 function drawRisk(surface: Surface, scene: Scene): void {
   const { palette } = scene;
-  addRisk(surface, scene, false);
-  paint(surface, palette.riskFill, palette.risk, 1);
-  addRisk(surface, scene, true);
-  paint(surface, palette.overlapFill, palette.overlap, 3);
+  surface.fillStyle = palette.riskFill;
+  surface.strokeStyle = palette.risk;
+  surface.lineWidth = 1;
+  drawContours(surface, scene, false);
+  surface.fillStyle = palette.overlapFill;
+  surface.strokeStyle = palette.overlap;
+  surface.lineWidth = 3;
+  drawContours(surface, scene, true);
 }
 
-function addRisk(surface: Surface, { view, risk }: Scene, overlap: boolean): void {
-  surface.beginPath();
+function drawContours(surface: Surface, { view, risk }: Scene, overlap: boolean): void {
   const data = risk?.data ?? NO_RISK;
   for (let at = 0; at < data.length; at += RISK_STRIDE) {
     if ((data[at + RiskCol.overlap] !== 0) !== overlap) continue;
@@ -90,20 +96,14 @@ function addRisk(surface: Surface, { view, risk }: Scene, overlap: boolean): voi
     if (!(rx >= 0) || !(ry >= 0) || !Number.isFinite(theta)) continue;
     const x = screenX(view, data[at + RiskCol.x] ?? NaN);
     const y = screenY(view, data[at + RiskCol.y] ?? NaN);
-    surface.moveTo(x + rx * Math.cos(theta), y - rx * Math.sin(theta));
+    surface.beginPath();
     surface.ellipse(x, y, rx, ry, -theta, 0, FULL_CIRCLE);
+    surface.fill();
+    surface.stroke();
   }
 }
 
 const NO_RISK = new Float32Array(0);
-
-function paint(surface: Surface, fill: string, stroke: string, width: number): void {
-  surface.fillStyle = fill;
-  surface.fill();
-  surface.strokeStyle = stroke;
-  surface.lineWidth = width;
-  surface.stroke();
-}
 
 function drawTrails(surface: Surface, scene: Scene, frame: PackedFrame): void {
   trailFrames(scene.frames, frame, scene.tUs, scene.trail, trailScratch);
@@ -144,8 +144,46 @@ const GHOST_DASH = [4, 3];
 const NO_DASH: number[] = [];
 
 function drawVehicles(surface: Surface, scene: Scene, frame: PackedFrame): void {
-  drawArms(surface, scene, frame);
-  const { view, palette } = scene;
+  const stamped = scene.stamps !== null && frame.layout.ids.length >= STAMPED_FROM;
+  if (stamped && scene.stamps !== null) stampCopters(scene.stamps, scene, frame);
+  drawWheelsAndArms(surface, scene, frame, stamped);
+  drawBodies(surface, scene, frame, stamped);
+  if (!stamped) drawFronts(surface, scene, frame);
+}
+
+function stampCopters(stamps: Stamps, { view, palette }: Scene, frame: PackedFrame): void {
+  stamps.prepare(glyphRadius(view.scale), palette.text);
+  for (let row = 0; row < frame.layout.ids.length; row++) {
+    if (frame.layout.kinds[row] !== ObjectKind.copter) continue;
+    const x = objectX(view, frame, row);
+    stamps.copter(x, objectY(view, frame, row), valueAt(frame, row, Col.yaw), colorOf(frame, row));
+  }
+}
+
+function drawWheelsAndArms(
+  surface: Surface,
+  { view, palette }: Scene,
+  frame: PackedFrame,
+  stamped: boolean,
+): void {
+  const radius = glyphRadius(view.scale);
+  const length = carLength(view);
+  surface.beginPath();
+  for (let row = 0; row < frame.layout.ids.length; row++) {
+    const kind = frame.layout.kinds[row];
+    const x = objectX(view, frame, row);
+    const y = objectY(view, frame, row);
+    const yaw = valueAt(frame, row, Col.yaw);
+    if (kind === ObjectKind.car) addWheels(surface, x, y, length, yaw, valueAt(frame, row, Col.steer0));
+    else if (kind === ObjectKind.copter && !stamped) addArms(surface, x, y, radius, yaw);
+  }
+  surface.strokeStyle = palette.text;
+  surface.lineWidth = Math.max(1.5, radius * 0.16);
+  surface.stroke();
+}
+
+// Rotors, cars and other objects, a path for each colour.
+function drawBodies(surface: Surface, { view, palette }: Scene, frame: PackedFrame, stamped: boolean): void {
   const radius = glyphRadius(view.scale);
   const length = carLength(view);
   surface.lineWidth = 1;
@@ -153,43 +191,26 @@ function drawVehicles(surface: Surface, scene: Scene, frame: PackedFrame): void 
   for (let color = 0; color < OBJECT_COLORS.length; color++) {
     surface.beginPath();
     for (let row = 0; row < frame.layout.ids.length; row++) {
-      if (colorOf(frame, row) !== color) continue;
+      const kind = frame.layout.kinds[row];
+      if (colorOf(frame, row) !== color || (stamped && kind === ObjectKind.copter)) continue;
       const x = objectX(view, frame, row);
       const y = objectY(view, frame, row);
       const yaw = valueAt(frame, row, Col.yaw);
-      const kind = frame.layout.kinds[row];
-      if (kind === 0) addRotors(surface, x, y, radius, yaw);
-      else if (kind === KIND_CAR) addCarBody(surface, x, y, length, yaw);
+      if (kind === ObjectKind.copter) addRotors(surface, x, y, radius, yaw);
+      else if (kind === ObjectKind.car) addCarBody(surface, x, y, length, yaw);
       else circle(surface, x, y, radius * 0.7);
     }
     surface.fillStyle = OBJECT_COLORS[color] ?? palette.text;
     surface.fill();
     surface.stroke();
   }
-  drawFronts(surface, scene, frame, radius);
 }
 
-function drawArms(surface: Surface, { view, palette }: Scene, frame: PackedFrame): void {
+function drawFronts(surface: Surface, { view, palette }: Scene, frame: PackedFrame): void {
   const radius = glyphRadius(view.scale);
-  const length = carLength(view);
   surface.beginPath();
   for (let row = 0; row < frame.layout.ids.length; row++) {
-    const x = objectX(view, frame, row);
-    const y = objectY(view, frame, row);
-    const yaw = valueAt(frame, row, Col.yaw);
-    const kind = frame.layout.kinds[row];
-    if (kind === 0) addArms(surface, x, y, radius, yaw);
-    else if (kind === KIND_CAR) addWheels(surface, x, y, length, yaw, valueAt(frame, row, Col.steer0));
-  }
-  surface.strokeStyle = palette.text;
-  surface.lineWidth = Math.max(1.5, radius * 0.16);
-  surface.stroke();
-}
-
-function drawFronts(surface: Surface, { view, palette }: Scene, frame: PackedFrame, radius: number): void {
-  surface.beginPath();
-  for (let row = 0; row < frame.layout.ids.length; row++) {
-    if (frame.layout.kinds[row] !== 0) continue;
+    if (frame.layout.kinds[row] !== ObjectKind.copter) continue;
     const yaw = valueAt(frame, row, Col.yaw);
     addFrontRotor(surface, objectX(view, frame, row), objectY(view, frame, row), radius, yaw);
   }

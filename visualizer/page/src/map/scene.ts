@@ -7,6 +7,7 @@ import type { TimeBuffer } from '../model/time_buffer';
 import type { Collision } from '../model/viewer';
 import type { LayerName, Trail } from '../shell/settings';
 import type { Palette } from './palette';
+import type { Stamps } from './stamps';
 import type { View } from './view';
 
 export interface Measure {
@@ -32,4 +33,5 @@ export interface Scene {
   readonly observer: number;
   readonly pinned: readonly number[];
   readonly measure: Measure | null;
+  readonly stamps: Stamps | null; // copies of copters, where they can be had
 }
