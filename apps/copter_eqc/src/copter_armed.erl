@@ -4,7 +4,7 @@
 %% ones of its listing.
 -module(copter_armed).
 
--export([new/0, armed/4, cleared/2, items/2, key/2, copters/2, named/2]).
+-export([new/0, armed/4, cleared/3, items/2, key/2, copters/2, named/2]).
 -export([object_of/1]).
 -export_type([armed/0, named/0]).
 
@@ -89,12 +89,15 @@ object_of(Place) ->
         nomatch -> -1
     end.
 
-%% @doc All of them end now. To be called before they are disarmed.
--spec cleared(Now_us :: non_neg_integer(), armed()) -> armed().
-cleared(Now, Armed) ->
+%% @doc Those of a place, or all of them, end now. To be called before they are disarmed.
+-spec cleared(binary() | all, Now_us :: non_neg_integer(), armed()) -> armed().
+cleared(Where, Now, Armed) ->
     [
-        I#item{to_us = earlier(Now, To), hits = Hits}
-     || {#item{to_us = To} = I, Hits} <- with_hits(Armed)
+        case Where =:= all orelse Where =:= Place of
+            true -> I#item{to_us = earlier(Now, To), hits = Hits};
+            false -> I
+        end
+     || {#item{to_us = To, place = Place} = I, Hits} <- with_hits(Armed)
     ].
 
 earlier(Now, -1) -> Now;

@@ -38,8 +38,22 @@ calls({set, Id, Name, Value}, Copters, Hands) ->
     with_name(Name, fun(Known) -> set_one(Id, Known, Value, Copters, Hands) end);
 calls({inject, Json}, Copters, Hands) ->
     injected(Json, Copters, Hands);
-calls(clear_faults, _, Hands) ->
+calls({clear_faults, -1, all}, _, Hands) ->
     {ok, [{fault_clear, []}], Hands};
+calls({clear_faults, Id, all}, Copters, Hands) ->
+    Places = copter_view_params:probes([Id], copter_sut:anchors()) ++
+        copter_view_params:channels([Id]),
+    case known(Id, Copters) of
+        ok -> {ok, [clear(Place, Copters) || Place <- Places], Hands};
+        {error, _} = Error -> Error
+    end;
+calls({clear_faults, _, #{<<"probe">> := Place}}, Copters, Hands) when is_binary(Place) ->
+    case copter_view_params:kind(Place, Copters) of
+        none -> {error, line("clear_faults: there is no probe or channel ~ts", [Place])};
+        _ -> {ok, [clear(Place, Copters)], Hands}
+    end;
+calls({clear_faults, _, _}, _, _) ->
+    {error, "clear_faults: \"probe\" is needed, a text"};
 calls({add_object, _, _}, Copters, _) when length(Copters) >= ?MOST_COPTERS ->
     {error, lists:concat(["there are ", ?MOST_COPTERS, " copters, the most a frame may hold"])};
 calls({add_object, X, Y}, Copters, Hands) ->
@@ -55,6 +69,8 @@ tenths(Radians, Most) -> max(-Most, min(Most, round(Radians * ?TENTHS_PER_RADIAN
 steer(Id, {Roll, Pitch, Turn}) -> {steer, [Id, Roll, Pitch, Turn]}.
 
 level(Id) -> steer(Id, {0, 0, 0}).
+
+clear(Place, Copters) -> {fly_clear, [{copter_view_params:kind(Place, Copters), Place}]}.
 
 known(Id, Copters) ->
     case lists:member(Id, Copters) of

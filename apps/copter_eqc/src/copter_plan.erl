@@ -184,11 +184,14 @@ event(#{<<"type">> := <<"fault">>, <<"probe">> := Probe} = Event) ->
     [armed({probe, Probe}, maps:remove(<<"probe">>, Event))];
 event(#{<<"type">> := <<"packet_fault">>, <<"channel">> := Channel} = Event) ->
     [armed({channel, Channel}, maps:remove(<<"channel">>, Event))];
-event(#{<<"type">> := <<"clear_faults">>} = Event) ->
-    case maps:size(Event) of
-        2 -> [{fault_clear, []}];
-        _ -> throw({bad, "clear_faults of one probe or channel cannot be shown"})
-    end;
+event(#{<<"type">> := <<"clear_faults">>, <<"probe">> := Probe}) ->
+    [{fly_clear, [{probe, Probe}]}];
+event(#{<<"type">> := <<"clear_faults">>, <<"channel">> := Channel}) ->
+    [{fly_clear, [{channel, Channel}]}];
+event(#{<<"type">> := <<"clear_faults">>}) ->
+    [{fault_clear, []}];
+event(#{<<"type">> := <<"params">>} = Event) ->
+    gains(all, maps:without([<<"type">>, <<"t_us">>], Event));
 event(#{<<"type">> := <<"add_copter">>} = Event) ->
     placed(maps:without([<<"type">>, <<"t_us">>], Event));
 event(#{<<"type">> := <<"remove_copter">>, <<"id">> := Id}) ->

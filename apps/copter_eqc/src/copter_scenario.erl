@@ -124,6 +124,8 @@ tell({fly_inject, [{Kind, Place}, Model, Parameters, Trigger, Seed]}, Story) ->
     Own = [{seed, Seed} || Seed =/= none],
     Members = [{Kind, Place}, {model, Model}] ++ Parameters ++ trigger(Trigger, Story) ++ Own,
     event(Type, Members, Story);
+tell({fly_clear, [{Kind, Place}]}, Story) ->
+    event(clear_faults, [{Kind, Place}], Story);
 tell({fault_clear, []}, Story) ->
     event(clear_faults, [], Story);
 tell({Command, Args}, #story{copters = Copters} = Story) ->

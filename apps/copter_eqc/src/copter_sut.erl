@@ -10,7 +10,7 @@
 
 -export([begin_test/1, begin_flight/1, settings/1, stop/0, default_transport/1, library/0]).
 -export([add_copter/3, add_copter/4, remove_copter/1, copters/0, command/4]).
--export([arm/1, arm_named/5, clear_faults/0, iterate/1, run/1]).
+-export([arm/1, arm_named/5, clear_faults/0, clear_faults/1, iterate/1, run/1]).
 -export([set/2, set/3, value_of/1, configure/1]).
 -export([collisions/0, parameters/0, anchors/0]).
 -export([time_us/0, state/2, bits/1, station/1, closest/0]).
@@ -273,9 +273,13 @@ triggered(Lib, Faults, Id, Trigger) ->
 
 %% @doc Disarms all faults.
 -spec clear_faults() -> ok.
-clear_faults() ->
+clear_faults() -> clear_faults(all).
+
+%% @doc Disarms those of one probe or channel.
+-spec clear_faults(faultcheck_inject:where() | all) -> ok.
+clear_faults(Where) ->
     #{lib := Lib, faults := Faults} = get(?MODULE),
-    faultcheck_inject:remove_all(Lib, Faults, all).
+    faultcheck_inject:remove_all(Lib, Faults, Where).
 
 %% @doc Lets time pass, up to the first collision. Milliseconds, of which whole steps are made.
 -spec iterate(pos_integer()) -> outcome().

@@ -39,6 +39,9 @@
 }).
 -opaque view() :: #view{}.
 
+%% Of a live flight the latest so many are listed.
+-define(MOST_COMMANDS, 500).
+-define(EXAMPLE, "crowd_without_faults").
 -define(HAND, {prop_copter_demo, prop_copters_survive_faults}).
 
 %% ---- opening ----------------------------------------------------------------------------------
@@ -58,6 +61,8 @@ open({'case', Dir, Which}) ->
                 of_case(Case, Which, Settings, recorded_in(Origin, Which))
             end)
     end;
+open(example) ->
+    open({named, ?EXAMPLE});
 open({named, Name}) ->
     case [Stored || {Known, _, _} = Stored <- copter_stored:all(), Known =:= Name] of
         [{_, Options, Commands}] -> {ok, of_stored(Name, Options, Commands)};
@@ -222,7 +227,9 @@ refused(Text, Event, #view{now = Now} = View) ->
     {[Event, Verdict], View#view{ending = {failed, Text}}}.
 
 before({fault_clear, []}, #view{now = Now, armed = Armed} = View) ->
-    View#view{armed = copter_armed:cleared(Now, Armed)};
+    View#view{armed = copter_armed:cleared(all, Now, Armed)};
+before({fly_clear, [{_, Place}]}, #view{now = Now, armed = Armed} = View) ->
+    View#view{armed = copter_armed:cleared(Place, Now, Armed)};
 before(_, View) ->
     View.
 
@@ -305,7 +312,8 @@ info(#view{name = Name, original = Original} = View) ->
 
 %% All that are planned, and those done by hand.
 commands(#view{live = false, plan = Plan}) -> Plan;
-commands(#view{live = true, done = Done, due = Due}) -> lists:reverse(Done, Due).
+commands(#view{live = true, done = Done, due = Due}) ->
+    lists:reverse(lists:sublist(Done, ?MOST_COMMANDS), Due).
 
 command({T, Index, {Name, Args}}) ->
     #{

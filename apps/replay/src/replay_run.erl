@@ -5,8 +5,8 @@
 %% wall time when playing, simulated time in a recording.
 -module(replay_run).
 
--export([new/3, start/1, advance/2, show/3, again/1]).
--export([source/1, with_source/2, module_of/1, number/1, observer/1, observe/2, told/2, act/2]).
+-export([new/3, start/1, advance/2, show/3, again/1, changed/1]).
+-export([source/1, with_source/2, module_of/1, number/1, observer/1, chosen/1, observe/2, told/2, act/2]).
 -export_type([run/0, message/0, pace/0, status/0]).
 
 -type message() :: {replay_lcm:type(), replay_lcm:message()}.
@@ -23,13 +23,17 @@
     world = none :: none | replay_source:world(),
     version = 0 :: non_neg_integer(),
     faults_key = none :: term(),
+    %% what the latest frame showed
+    shown = none :: term(),
     status = none :: none | status(),
     %% when each of these was last told
     told = #{} :: #{atom() => pace()}
 }).
 -opaque run() :: #run{}.
 
--define(EVERY, #{lasting => 1000000, faults => 1000000, status => 200000, ranges => 100000}).
+-define(EVERY, #{
+    lasting => 1000000, faults => 1000000, still => 1000000, status => 200000, ranges => 100000
+}).
 
 %% @doc A run with this number; whose contours are shown, or auto: the source's choice.
 -spec new(replay_source:source(), pos_integer(), auto | replay_source:id()) -> run().
@@ -69,10 +73,12 @@ told(Events, #run{number = Number} = Run) ->
         Events
     ).
 
-%% @doc A frame, and with it whatever is due.
+%% @doc Whatever is due: a frame with the observer's contours whenever there is something new to be
+%% seen, and what is told in intervals. A frame of the same moment is told once a second again, with
+%% its old number.
 -spec show(pace(), status(), run()) -> {[message()], run()}.
 show(Pace, Status, Run0) ->
-    Parts = [fun lasting/2, fun faults/2, fun frame/2, fun risk/2, fun ranges/2,
+    Parts = [fun lasting/2, fun faults/2, fun picture/2, fun ranges/2,
              fun(P, R) -> status(P, Status, R) end],
     {Messages, Run} = lists:mapfoldl(fun(Part, Run) -> Part(Pace, Run) end, Run0, Parts),
     {lists:append(Messages), Run}.
@@ -80,6 +86,10 @@ show(Pace, Status, Run0) ->
 %% @doc Everything is due again: something has changed that cannot be seen here.
 -spec again(run()) -> run().
 again(Run) -> Run#run{told = #{}}.
+
+%% @doc What can be seen has changed without time or an event.
+-spec changed(run()) -> run().
+changed(Run) -> Run#run{shown = none}.
 
 lasting(Pace, #run{source = {Mod, State}, number = Number} = Run0) ->
     case due(lasting, Pace, Run0) of
@@ -104,19 +114,26 @@ faults(Pace, #run{source = {Mod, State}, faults_key = Before, number = Number} =
             {[{faults, Faults}], mark(faults, Pace, Run#run{faults_key = Key})}
     end.
 
-frame(_Pace, #run{source = {Mod, State}, number = Number, frames = N} = Run) ->
-    Frame = #{
-        t_us => Mod:now(State), run => Number, seq => N, objects => Mod:objects(State)
-    },
-    {[{frame, Frame}], Run#run{frames = N + 1}}.
+picture(Pace, #run{shown = Before, frames = N} = Run0) ->
+    Shown = {now_of(Run0), Run0#run.events, observer(Run0)},
+    case due(still, Pace, Run0) of
+        {false, Run} when Shown =:= Before ->
+            {[], Run};
+        {true, Run} when Shown =:= Before ->
+            {frame(N - 1, Run), Run};
+        {_, Run} ->
+            {frame(N, Run), mark(still, Pace, Run#run{shown = Shown, frames = N + 1})}
+    end.
 
-risk(_Pace, #run{source = {Mod, State}, number = Number} = Run) ->
+now_of(#run{source = {Mod, State}}) -> Mod:now(State).
+
+frame(Seq, #run{source = {Mod, State}, number = Number} = Run) ->
     Observer = observer(Run),
-    Risk = #{
-        t_us => Mod:now(State), run => Number, observer => Observer,
-        ellipses => Mod:risk(Observer, State)
-    },
-    {[{risk, Risk}], Run}.
+    At = #{t_us => Mod:now(State), run => Number},
+    [
+        {frame, At#{seq => Seq, objects => Mod:objects(State)}},
+        {risk, At#{observer => Observer, ellipses => Mod:risk(Observer, State)}}
+    ].
 
 ranges(Pace, #run{source = {Mod, State}, number = Number} = Run0) ->
     case due(ranges, Pace, Run0) of
@@ -166,6 +183,10 @@ number(#run{number = Number}) -> Number.
 -spec observer(run()) -> replay_source:id().
 observer(#run{observer = auto, source = {Mod, State}}) -> Mod:observer(State);
 observer(#run{observer = Id}) -> Id.
+
+%% @doc The same as it was chosen.
+-spec chosen(run()) -> auto | replay_source:id().
+chosen(#run{observer = Observer}) -> Observer.
 
 %% @doc Shows the contours of another object.
 -spec observe(replay_source:id(), run()) -> run().

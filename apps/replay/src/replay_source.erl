@@ -32,6 +32,7 @@
     {'case', file:filename(), shrunk | original}
     %% one that the source brings along
     | {named, string()}
+    | example
     %% a scenario file, flown live
     | {scenario, file:filename()}
     | live
@@ -48,7 +49,8 @@
     | {set, id() | -1, Name :: binary(), float()}
     %% the text of `inject' in docs/visualizer.md, decoded
     | {inject, #{binary() => faultcheck_json:decoded()}}
-    | clear_faults
+    %% of all, or of one object; everywhere, or at {"probe": ...}
+    | {clear_faults, id() | -1, all | #{binary() => faultcheck_json:decoded()}}
     | {add_object, X :: float(), Y :: float()}
     | {remove_object, id()}
     %% no steering any more

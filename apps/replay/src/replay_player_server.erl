@@ -1,0 +1,167 @@
+%% @doc The player as a process: UDP, timers, files. What it does about them decides replay_player.
+-module(replay_player_server).
+-behaviour(gen_server).
+
+-export([start/1, stop/1]).
+-export([init/1, handle_call/3, handle_cast/2, handle_info/2, terminate/2]).
+-export_type([options/0]).
+
+-type options() :: #{
+    player := replay_player:options(),
+    url := string(),
+    udp := replay_lcm_udp:options(),
+    %% what people should know, a line each
+    say := fun((string()) -> term())
+}.
+
+-record(state, {
+    player :: replay_player:player(),
+    lcm :: replay_lcm_udp:lcm(),
+    cases :: file:filename(),
+    say :: fun((string()) -> term()),
+    timer :: reference(),
+    %% the latest failure to send, which is told once
+    failure = "" :: string()
+}).
+
+-define(US_PER_MS, 1000).
+
+%% @doc Opens the source and the sockets, and plays. The error is one line.
+-spec start(options()) -> {ok, pid()} | {error, string()}.
+start(Options) ->
+    case gen_server:start(?MODULE, Options, []) of
+        {ok, Pid} -> {ok, Pid};
+        {error, {shutdown, Line}} -> {error, Line}
+    end.
+
+%% @doc Ends it; a live flight is stored first.
+-spec stop(pid()) -> ok.
+stop(Pid) -> gen_server:stop(Pid).
+
+-spec init(options()) -> {ok, #state{}} | {stop, {shutdown, string()}}.
+init(#{player := #{cases := Cases} = Given, url := Url, udp := Udp, say := Say}) ->
+    _ = process_flag(trap_exit, true),
+    case replay_lcm_udp:open(Url, Udp) of
+        {error, Line} ->
+            {stop, {shutdown, Line}};
+        {ok, Lcm} ->
+            case replay_player:open(Given, now_us()) of
+                {error, Line} ->
+                    ok = replay_lcm_udp:close(Lcm),
+                    {stop, {shutdown, Line}};
+                {ok, Out, Player} ->
+                    State = #state{
+                        player = Player, lcm = Lcm, cases = Cases, say = Say, timer = make_ref()
+                    },
+                    {ok, scheduled(perform(Out, State))}
+            end
+    end.
+
+now_us() -> erlang:monotonic_time(microsecond).
+
+-spec handle_call(term(), {pid(), term()}, #state{}) -> {noreply, #state{}}.
+handle_call(_, _, State) -> {noreply, State}.
+
+-spec handle_cast(term(), #state{}) -> {noreply, #state{}}.
+handle_cast(_, State) -> {noreply, State}.
+
+-spec handle_info(term(), #state{}) -> {noreply, #state{}}.
+handle_info({timeout, Timer, wake}, #state{timer = Timer, player = Player} = State) ->
+    {Out, Next} = replay_player:wake(now_us(), Player),
+    {noreply, scheduled(perform(Out, State#state{player = Next}))};
+handle_info({timeout, _, wake}, State) ->
+    {noreply, State};
+handle_info({'EXIT', _, Reason}, #state{say = Say} = State) ->
+    _ = [Say(line("recording failed: ~0tp", [Reason])) || Reason =/= normal],
+    {noreply, State};
+handle_info(Info, #state{lcm = Lcm} = State) ->
+    case replay_lcm_udp:incoming(Info, Lcm) of
+        {message, <<"VIZ_CONTROL">>, Payload, From, Next} ->
+            {noreply, control(Payload, From, State#state{lcm = Next})};
+        {message, _, _, _, Next} ->
+            {noreply, State#state{lcm = Next}};
+        {bad, _, _, Next} ->
+            {noreply, State#state{lcm = Next}};
+        {none, Next} ->
+            {noreply, State#state{lcm = Next}};
+        unknown ->
+            {noreply, State}
+    end.
+
+control(Payload, {Ip, _} = From, #state{player = Player, say = Say} = State) ->
+    case replay_lcm:decode(control, Payload) of
+        {ok, Message} when element(1, Ip) =:= 127 ->
+            {Out, Next} = replay_player:control(Message, From, now_us(), Player),
+            scheduled(perform(Out, State#state{player = Next}));
+        {ok, _} ->
+            _ = Say("refused a control message that came from another host"),
+            State;
+        {error, Line} ->
+            _ = Say("refused a control message: " ++ Line),
+            State
+    end.
+
+%% One timer at a time; its moments are absolute.
+scheduled(#state{timer = Before, player = Player} = State) ->
+    _ = erlang:cancel_timer(Before),
+    Ms = -(-replay_player:next_wake(Player) div ?US_PER_MS),
+    State#state{timer = erlang:start_timer(Ms, self(), wake, [{abs, true}])}.
+
+-spec terminate(term(), #state{}) -> ok.
+terminate(_, #state{player = Player, lcm = Lcm} = State) ->
+    Out = replay_player:close(Player),
+    _ = perform([O || O <- Out, element(1, O) =/= store], State),
+    [stored(Case, Files, fun recorded/2, State) || {store, Case, Files} <- Out],
+    replay_lcm_udp:close(Lcm).
+
+perform(Out, State) -> lists:foldl(fun perform_one/2, State, Out).
+
+perform_one({publish, {Type, Message}}, #state{lcm = Lcm} = State) ->
+    Bytes = replay_lcm:encode(Type, Message),
+    case replay_lcm_udp:publish(Lcm, replay_lcm:channel(Type), Bytes) of
+        ok -> State;
+        {error, Line} -> failed(Line, State)
+    end;
+perform_one({log, Line}, #state{say = Say} = State) ->
+    _ = Say(Line),
+    State;
+perform_one({store, Case, Files}, State) ->
+    ok = stored(Case, Files, fun(Dir, Say) -> spawn_link(fun() -> recorded(Dir, Say) end) end, State),
+    State.
+
+failed(Line, #state{failure = Line} = State) ->
+    State;
+failed(Line, #state{say = Say} = State) ->
+    _ = Say("cannot send: " ++ Line),
+    State#state{failure = Line}.
+
+%% The case, what belongs to it, and its recording, which takes a simulator of its own.
+stored(Case, Files, Record, #state{cases = Cases, say = Say}) ->
+    case faultcheck_case:write(Cases, Case) of
+        {ok, Dir} ->
+            [ok = replaced(filename:join(Dir, Name), Text) || {Name, Text} <- Files],
+            _ = Say("stored this flight as " ++ Dir),
+            _ = Record(Dir, Say),
+            ok;
+        {error, Line} ->
+            _ = Say("the flight cannot be stored: " ++ Line),
+            ok
+    end.
+
+replaced(File, Text) ->
+    New = File ++ ".new",
+    ok = file:write_file(New, Text),
+    file:rename(New, File).
+
+recorded(Dir, Say) ->
+    Result =
+        case replay_source:of_case(Dir, shrunk) of
+            {ok, Source} -> replay_recording:write(Source, filename:join(Dir, "run.lcm"));
+            {error, _} = Error -> Error
+        end,
+    case Result of
+        {ok, _} -> ok;
+        {error, Line} -> Say("no recording: " ++ Line)
+    end.
+
+line(Format, Args) -> lists:flatten(io_lib:format(Format, Args)).
