@@ -49,11 +49,14 @@ export class SvgSurface implements Surface {
     );
   }
 
+  // Nothing is written for an empty path.
   fill(): void {
+    if (this.path.length === 0) return;
     this.add(`<path d="${this.path.join('')}" fill="${escaped(String(this.fillStyle))}"${this.opacity()}/>`);
   }
 
   stroke(): void {
+    if (this.path.length === 0) return;
     const dash = this.dash.length > 0 ? ` stroke-dasharray="${this.dash.join(' ')}"` : '';
     this.add(
       `<path d="${this.path.join('')}" fill="none" stroke="${escaped(String(this.strokeStyle))}"` +

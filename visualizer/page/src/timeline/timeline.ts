@@ -12,6 +12,7 @@ import type { Topic, Viewer } from '../model/viewer';
 import { el } from '../shell/dom';
 import { laneBars } from './lanes';
 import { LEFT, type PlotArea, timeToX, xToTime } from './plot_area';
+import { sliderTarget } from './slider_keys';
 import { drawRows, laneHeight, type Rows, rowsHeight, rowTops } from './timeline_rows';
 import { valueText } from './value_text';
 
@@ -205,29 +206,4 @@ class CanvasTimeline implements Timeline {
     event.stopPropagation();
     this.viewer.seek(target);
   }
-}
-
-// Where a key of the slider goes to, null when it is none: arrows 0.1 s, with shift 1 s, pages a
-// tenth of the whole.
-export function sliderTarget(
-  key: string,
-  shift: boolean,
-  tUs: number,
-  fromUs: number,
-  durationUs: number,
-): number | null {
-  const step = shift ? 1_000_000 : 100_000;
-  const page = (durationUs - fromUs) / 10;
-  const targets: Readonly<Record<string, number>> = {
-    ArrowRight: tUs + step,
-    ArrowUp: tUs + step,
-    ArrowLeft: tUs - step,
-    ArrowDown: tUs - step,
-    PageUp: tUs + page,
-    PageDown: tUs - page,
-    Home: fromUs,
-    End: durationUs,
-  };
-  const target = targets[key];
-  return target === undefined ? null : Math.min(Math.max(target, fromUs), durationUs);
 }
