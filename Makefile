@@ -12,7 +12,7 @@ ifneq ($(shell uname -s)-$(shell uname -m),Linux-x86_64)
 $(error FaultCheck needs Linux on x86-64 (ELF, DWARF and libffi of that machine); this is $(shell uname -s) on $(shell uname -m))
 endif
 
-.PHONY: help setup native compile test demo bench coverage airbag-report e2e-report copter-campaign copter-figures \
+.PHONY: help setup native compile test demo visualizer bench coverage airbag-report e2e-report copter-campaign copter-figures \
         search-report mutants fuzz replay install docs format lint clean chroot-check
 
 help:  ## this list
@@ -37,6 +37,11 @@ demo:  ## find, shrink, store and explain the airbag's unintended explosion
 replay:  ## run a stored case again: make replay CASE=cases/<id>
 	@scripts/setup.sh --quiet demo
 	@SPEED="$(SPEED)" SET="$(SET)" BISECT="$(BISECT)" scripts/replay.sh "$(CASE)"
+
+# Also LIVE=1, SCENARIO=FILE, ORIGINAL=1, PORT=8765
+visualizer:  ## watch and steer flights in a browser: make visualizer [CASE=cases/<id>]
+	@scripts/setup.sh --quiet visualizer
+	@scripts/visualizer.sh "$(CASE)"
 
 test:  ## install what is missing, build, and run every test and check
 	@scripts/setup.sh --quiet test

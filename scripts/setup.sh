@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing for a purpose, and only that.
 #
-#   scripts/setup.sh [--quiet] native|demo|test|coverage|docs|all
+#   scripts/setup.sh [--quiet] native|demo|visualizer|test|coverage|docs|all
 #
 # A requirement is a test (is the command, header or Erlang application there?) and the Debian package that supplies
 # it, so tools installed in another way are left alone. The list is shown before anything is installed; a person is
@@ -28,6 +28,7 @@ native  erlang:erl_nif.h         erlang-dev
 vectors header:zlib.h            zlib1g-dev
 stream  header:lcm/lcm.h         liblcm-dev
 stream  cmd:lcm-gen              liblcm-bin
+visualizer cmd:node              nodejs
 demo    app:eunit                erlang-eunit
 demo    app:syntax_tools         erlang-syntax-tools
 demo    cmd:rebar3               rebar3
@@ -64,10 +65,11 @@ included() {
     # The vector runner and coptersim_stream are not needed by `make demo`.
     native) [[ $1 = native || $1 = vectors || $1 = stream ]] ;;
     demo) [[ $1 = native || $1 = demo ]] ;;
+    visualizer) [[ $1 = native || $1 = demo || $1 = visualizer ]] ;;
     docs) [[ $1 = docs ]] ;;
     coverage) [[ $1 = native || $1 = demo || $1 = coverage ]] ;;
     test | all) true ;;
-    *) echo "setup: unknown purpose '$purpose' (native, demo, test, coverage, docs or all)" >&2; exit 2 ;;
+    *) echo "setup: unknown purpose '$purpose' (native, demo, visualizer, test, coverage, docs or all)" >&2; exit 2 ;;
   esac
 }
 

@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# Starts player, bridge and page on 127.0.0.1, prints the URL, and ends both when Ctrl-C is pressed:
+#
+#   scripts/visualizer.sh [CASE]     a stored case; without it an example
+#
+# LIVE=1 flies live in an empty world, SCENARIO=FILE in that of a scenario; ORIGINAL=1 plays the failure as it was found.
+# PORT is that of the web server (8765). One of the two that ends is started again, unless it ends at once.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+case=${1:-}
+port=${PORT:-8765}
+bridge=visualizer/dist/bridge.mjs
+cases=${FAULTCHECK_CASES:-cases}
+
+fail() {
+  echo "visualizer: $1" >&2
+  exit "$2"
+}
+
+what=()
+if [ -n "$case" ]; then
+  [ -f "$case/case.json" ] || fail "no case $case; stored are the folders below $cases/" 2
+  what+=("$case")
+fi
+[ -z "${ORIGINAL:-}" ] || what+=(--original)
+[ -z "${LIVE:-}" ] || what+=(--live)
+[ -z "${SCENARIO:-}" ] || what+=(--scenario "$SCENARIO")
+
+mkdir -p _build
+scripts/build_native.sh release >_build/native.log 2>&1 || { tail -n 30 _build/native.log >&2; exit 3; }
+rebar3 compile >_build/compile.log 2>&1 || { tail -n 30 _build/compile.log >&2; exit 3; }
+if [ ! -f "$bridge" ]; then
+  command -v npm >/dev/null 2>&1 || fail "$bridge is missing, and there is no npm to build it; a release has it" 3
+  echo "visualizer: building page and bridge ..."
+  scripts/build_visualizer.sh
+fi
+
+# Nobody else may read the token that lets a page control the player.
+private=$(mktemp -d)
+output=$private/bridge.out
+bridge_pid='' player_pid=''
+control=(--allow-control --token-file "$private/token")
+
+# In sessions of their own: Ctrl-C is for this script, which ends them once.
+start_bridge() {
+  setsid node "$bridge" --port "$port" --cases "$cases" "${control[@]}" >>"$output" &
+  bridge_pid=$!
+}
+start_player() {
+  setsid bin/faultcheck play "${what[@]}" --cases "$cases" "${control[@]}" &
+  player_pid=$!
+}
+
+# The player first: it may have a flight to store.
+end() {
+  trap '' INT TERM
+  for pid in $player_pid $bridge_pid; do
+    kill -TERM "$pid" 2>/dev/null && wait "$pid" 2>/dev/null || true
+  done
+  rm -rf "$private"
+  exit "$1"
+}
+trap 'end 130' INT TERM
+trap 'rm -rf "$private"' EXIT
+
+: >"$output"
+start_bridge
+# Its first line names the address; it ends without one when it cannot have it.
+until grep -q '^bridge: http' "$output"; do
+  kill -0 "$bridge_pid" 2>/dev/null || end 3
+  sleep 0.1
+done
+start_player
+url=$(sed -n 's/^bridge: \(http[^ ]*\).*/\1/p' "$output" | head -1)
+echo "visualizer: open $url in a browser; Ctrl-C ends it"
+
+while true; do
+  began=$SECONDS
+  wait -n "$bridge_pid" "$player_pid" || status=$?
+  [ $((SECONDS - began)) -ge 2 ] || end "${status:-3}"
+  kill -0 "$bridge_pid" 2>/dev/null || { echo "visualizer: the bridge has ended; again"; start_bridge; }
+  kill -0 "$player_pid" 2>/dev/null || { echo "visualizer: the player has ended; again"; start_player; }
+done
