@@ -11,7 +11,7 @@
 %% PropEr 1.5 calls its property types opaque, though a plain boolean is one of them.
 -dialyzer({[no_opaque, no_return], [safe/1, safe/3]}).
 
--export([safe/1, safe/3, begin_test/1, report/2, view/0]).
+-export([safe/1, safe/3, begin_test/1, report/2, export/3, view/0]).
 -export_type([tell/0]).
 
 -type tell() :: fun(([faultcheck_statem:command()], faultcheck_statem:run()) -> ok).
@@ -343,6 +343,11 @@ report(Case, Dir) ->
         {ok, _} -> (replay_report:write(Dir))#{watch => true};
         {error, Line} -> error({recording, Line})
     end.
+
+%% @doc The recording of a stored case for other programs.
+-spec export(faultcheck_case:'case'(), file:filename(), faultcheck_export:what()) ->
+    {ok, [file:filename()]} | {error, string()}.
+export(_Case, Dir, What) -> replay_export:write(Dir, What).
 
 %% @doc What shows cases of this model (replay_source).
 -spec view() -> module().

@@ -6,13 +6,13 @@
 %% ok = file:write_file("commands.svg", Svg).
 %% '''
 %%
-%% Three kinds: bars (one bar a name, horizontal), histogram (counts over a whole-number axis) and
-%% steps (one or more cumulative curves, with a linear or logarithmic x axis). The same input gives
-%% the same bytes.
+%% Four kinds: bars (one bar a name, horizontal), histogram (counts over a whole-number axis), steps
+%% (one or more cumulative curves, with a linear or logarithmic x axis) and lines (one or more
+%% quantities over a linear axis). The same input gives the same bytes.
 -module(faultcheck_chart).
 
--export([bars/1, histogram/1, steps/1]).
--export_type([bars/0, histogram/0, steps/0]).
+-export([bars/1, histogram/1, steps/1, lines/1]).
+-export_type([bars/0, histogram/0, steps/0, lines/0]).
 
 -type text() :: unicode:chardata().
 -type bars() :: #{title := text(), x_label := text(), bars := [{text(), number()}]}.
@@ -26,6 +26,14 @@
     x_scale => linear | log,
     %% points in ascending x; the curve keeps its y until the next point and ends at the last
     series := [{text(), [{number(), number()}]}]
+}.
+
+-type lines() :: #{
+    title := text(),
+    x_label := text(),
+    y_label := text(),
+    %% points in ascending x, none below 0
+    series := [{text(), [{number(), number()}, ...]}, ...]
 }.
 
 %% Sizes in SVG user units (CSS pixels at 100 %).
@@ -115,6 +123,31 @@ curve(X, Y, [{X0, Y0} | Points], Colour) ->
         [Step(P) || P <- Points],
         ["\" fill=\"none\" stroke=\"", Colour],
         "\" stroke-width=\"2\" stroke-linejoin=\"round\"/>\n"
+    ].
+
+%% @doc Quantities that are not below 0, joined by straight lines, each with its name in the legend.
+-spec lines(lines()) -> iodata().
+lines(#{title := Title, x_label := XLabel, y_label := YLabel, series := Series}) ->
+    Points = lists:append([P || {_, P} <- Series]),
+    {XTicks, XLow, XHigh} = x_ticks(linear, [X || {X, _} <- Points]),
+    X = scale(linear, {XLow, XHigh}, {?LEFT, ?WIDTH - ?RIGHT}),
+    {Low, High, Step} = axis(0, lists:max([V || {_, V} <- Points])),
+    Y = scale(linear, {Low, High}, {?HEIGHT - ?BOTTOM, ?TOP + ?ROW}),
+    document(Title, ?HEIGHT, [
+        y_axis(Y, Low, High, Step, YLabel),
+        [x_tick(X(T), ?TOP + ?ROW, ?HEIGHT - ?BOTTOM, Text) || {T, Text} <- XTicks],
+        [polyline(X, Y, Ps, I) || {I, {_, Ps}} <- numbered(Series)],
+        legend([Name || {Name, _} <- Series]),
+        x_title((?LEFT + ?WIDTH - ?RIGHT) / 2, ?HEIGHT, XLabel)
+    ]).
+
+%% Told apart by dashes too.
+polyline(X, Y, Points, I) ->
+    [
+        "<polyline points=\"",
+        lists:join(" ", [[number(X(Px)), ",", number(Y(Py))] || {Px, Py} <- Points]),
+        ["\" fill=\"none\" stroke=\"", colour(I), "\" stroke-width=\"2\" stroke-dasharray=\""],
+        [element(I rem 5 + 1, {"none", "7 3", "2 3", "9 3 2 3", "12 5"}), "\"/>\n"]
     ].
 
 legend(Names) ->
