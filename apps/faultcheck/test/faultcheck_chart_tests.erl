@@ -17,6 +17,22 @@ histogram() ->
         counts => [{0, 10}, {1, 40}, {2, 0}, {3, 20}]
     }).
 
+%% Places by hand: 64 to 608 across for 0 to 2 s, 288 down to 64 for 0 to 1 m.
+lines_are_where_their_values_are_test() ->
+    Svg = iolist_to_binary(
+        faultcheck_chart:lines(#{
+            title => "Error", x_label => "s", y_label => "m",
+            series => [{"object 1", [{0, 0}, {1, 0.5}, {2, 1}]}, {"object 2", [{0, 1.0}, {2, 0}]}]
+        })
+    ),
+    {match, Found} = re:run(
+        Svg, "<polyline points=\"([^\"]*)\"[^>]*stroke-dasharray=\"([^\"]*)\"",
+        [global, {capture, all_but_first, list}]
+    ),
+    ?assertEqual(
+        [["64.0,288.0 336.0,176.0 608.0,64.0", "none"], ["64.0,64.0 608.0,288.0", "7 3"]], Found
+    ).
+
 steps(Scale) ->
     faultcheck_chart:steps(#{
         title => "First failure",

@@ -1,6 +1,6 @@
 %% @doc A recording as CSV (RFC 4180): a line for each frame and object, with the curves of the page
-%% as further columns. Numbers have a point and at most six decimals; a field is empty where there is
-%% nothing to tell.
+%% as further columns. Numbers have a point and at most six decimals; a field is empty where there
+%% is nothing to tell.
 -module(replay_csv).
 
 -export([format/1]).

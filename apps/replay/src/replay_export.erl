@@ -7,7 +7,8 @@
 -define(MOST_CURVES, 5).
 
 %% @doc Writes what is asked for from run.lcm of a case's folder; the files written.
--spec write(file:filename(), faultcheck_export:what()) -> {ok, [file:filename()]} | {error, string()}.
+-spec write(file:filename(), faultcheck_export:what()) ->
+    {ok, [file:filename()]} | {error, string()}.
 write(Dir, #{format := Format} = What) ->
     Recording = filename:join(Dir, "run.lcm"),
     case filelib:is_regular(Recording) of

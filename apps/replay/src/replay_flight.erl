@@ -4,6 +4,9 @@
 -export([read/1, at/2, world_at/2, position_error/1, velocity_error/1, nearest/2]).
 -export_type([flight/0]).
 
+%% us, 285 years: times are exact in every program that reads an export.
+-define(LATEST, (1 bsl 53)).
+
 -type object() :: replay_source:object().
 -type flight() :: #{
     'case' := none | replay_source:info(),
@@ -33,7 +36,14 @@ ordered(_, Newest) -> lists:reverse(Newest).
 
 add(#{data := Data, t_us := T, number := Number}, File, Flight) ->
     case replay_lcm:decode(Data) of
-        {ok, Type, Message} -> put_message(Type, Message, T, Flight);
+        {ok, Type, #{t_us := Told} = Message} when Told >= 0, Told < ?LATEST ->
+            put_message(Type, Message, T, Flight);
+        {ok, _, #{t_us := Told}} ->
+            throw({bad_message, line("~ts: event ~b: a time of ~b us", [File, Number, Told])});
+        {ok, Type, Message} when T >= 0, T < ?LATEST ->
+            put_message(Type, Message, T, Flight);
+        {ok, _, _} ->
+            throw({bad_message, line("~ts: event ~b: a time of ~b us", [File, Number, T])});
         {error, Line} -> throw({bad_message, line("~ts: event ~b: ~ts", [File, Number, Line])})
     end.
 

@@ -40,7 +40,7 @@ title(At, #{'case' := Case}) ->
             #{case_id := Id} -> Id;
             none -> <<"recording">>
         end,
-    [Name, io_lib:format(", t = ~.2f s", [At / 1000000])].
+    [Name, io_lib:format(", t = ~.3f s", [At / 1000000])].
 
 %% All that is ever shown has room.
 view(#{seg := Segments, anchors := Anchors, polys := Polys}, Frames) ->
