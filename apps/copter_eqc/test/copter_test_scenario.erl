@@ -1,7 +1,7 @@
-%% @doc For tests: a sequence flown by coptersim_run.
+%% @doc For tests: a sequence flown by coptersim_run, and other programs of the simulator.
 -module(copter_test_scenario).
 
--export([fly/2, compared/1]).
+-export([fly/2, compared/1, program/1, output_of/2]).
 
 %% @doc The trace of the sequence's scenario, decoded; states are recorded at its beginning and end.
 -spec fly(copter_options:options(), [faultcheck_generator:command()]) -> faultcheck_json:decoded().
@@ -16,13 +16,20 @@ fly(Options, Commands) ->
     end.
 
 run(File, Setting) ->
-    Program = filename:join([filename:dirname(copter_sut:library()), "..", "bin", "coptersim_run"]),
-    Port = open_port({spawn_executable, Program}, [
-        {args, ["--set", Setting, File]}, exit_status, binary, use_stdio
-    ]),
-    {0, Text} = output(Port, []),
+    Text = output_of(program("coptersim_run"), ["--set", Setting, File]),
     {ok, Trace} = faultcheck_json:decode(Text),
     Trace.
+
+%% @doc Where a program of the simulator is.
+-spec program(string()) -> file:filename().
+program(Name) -> filename:join([filename:dirname(copter_sut:library()), "..", "bin", Name]).
+
+%% @doc What a program prints that does its work.
+-spec output_of(file:filename(), [string()]) -> binary().
+output_of(Program, Args) ->
+    Port = open_port({spawn_executable, Program}, [{args, Args}, exit_status, binary, use_stdio]),
+    {0, Text} = output(Port, []),
+    Text.
 
 output(Port, Read) ->
     receive
