@@ -31,6 +31,17 @@ must_fail prop_copter_demo prop_copters_survive_faults \
   "Copters collided: above are the shortest commands that make them, and how to repeat them. The same flight again:"
 echo
 cases=${FAULTCHECK_CASES:-cases}
-flight=$(find "$cases" -path '*/prop_copters_survive_faults-*/scenario.json' -printf '%T@ %p\n' | sort -n | tail -1 |
-  cut -d ' ' -f 2-)
+# The newest file of a property's cases; nothing when there is none.
+newest() { # newest PROPERTY FILE
+  find "$cases" -path "*/$1-*/$2" -printf '%T@ %p\n' | sort -n | tail -1 | cut -d ' ' -f 2-
+}
+flight=$(newest prop_copters_survive_faults scenario.json)
 _build/native/bin/coptersim_run --replay --speed 10 --out "$(dirname "$flight")/trace.json" "$flight"
+
+echo
+echo "The failures as pages, to be opened in a browser (no network, no server; they can be sent to others):"
+for property in prop_never_fires_without_cause prop_copters_survive_faults; do
+  page=$(newest "$property" report.html)
+  # The page of a flight is made from the visualizer's; where that is not built, the note above tells how.
+  [ -z "$page" ] || echo "  xdg-open $page"
+done
