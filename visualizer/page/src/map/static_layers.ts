@@ -9,6 +9,7 @@ import type { Surface } from './surface';
 import { roundLength, screenX, screenY, type View, worldX, worldY } from './view';
 
 const GRID_PX = 40; // least distance of grid lines
+const ANCHOR_NAME_PX = 75;
 const SCALE_BAR_PX = 120; // longest
 
 export function drawStaticLayers(surface: Surface, scene: Scene): void {
@@ -107,8 +108,12 @@ function drawAnchors(surface: Surface, { view, palette, world }: Scene): void {
   text(surface, palette, 12);
   surface.fillStyle = palette.text;
   for (const anchor of anchors) {
-    surface.fillText(`Anchor ${anchor.id}`, screenX(view, anchor.pos[0]) + 10, screenY(view, anchor.pos[1]));
+    const x = screenX(view, anchor.pos[0]);
+    const left = x > view.size.width - ANCHOR_NAME_PX; // no room to the right
+    surface.textAlign = left ? 'right' : 'left';
+    surface.fillText(`Anchor ${anchor.id}`, left ? x - 10 : x + 10, screenY(view, anchor.pos[1]));
   }
+  surface.textAlign = 'left';
 }
 
 function drawScaleBar(surface: Surface, view: View, palette: Palette): void {

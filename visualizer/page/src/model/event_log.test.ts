@@ -55,6 +55,13 @@ describe('commands', () => {
     expect(failingCommand(info, [verdict], [])).toBe(2);
   });
 
+  it('a collision counts before a verdict that comes later', () => {
+    const verdict = anEvent({ kind: 'verdict', tUs: 8_000_000, text: 'failed: no_collision' });
+    const collision = { tUs: 3_000_000, a: 1, b: 2, terrain: false, x: 0, y: 0 };
+    expect(failureUs([verdict], [collision])).toBe(3_000_000);
+    expect(failureUs([], [])).toBeNull();
+  });
+
   it('without a verdict the first collision counts', () => {
     const collision = { tUs: 6_000_000, a: 1, b: 2, terrain: false, x: 0, y: 0 };
     expect(failureUs([], [collision])).toBe(6_000_000);

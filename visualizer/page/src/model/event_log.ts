@@ -39,19 +39,21 @@ export class EventLog {
 
   // The next or previous event's time from a moment on, null when there is none.
   neighbour(tUs: number, direction: 1 | -1): number | null {
-    const times = this.list
-      .map((event) => event.tUs)
-      .filter((time) => (direction > 0 ? time > tUs : time < tUs));
-    if (times.length === 0) return null;
-    return direction > 0 ? Math.min(...times) : Math.max(...times);
+    let found: number | null = null;
+    for (const event of this.list) {
+      if (direction > 0 && event.tUs > tUs) return event.tUs;
+      if (direction < 0 && event.tUs < tUs) found = event.tUs;
+    }
+    return found;
   }
 }
 
-// Events with an end of the run: the time of the failed verdict, else of the first collision;
-// null when nothing failed.
+// When a run failed: at the first collision or when the verdict fell, whichever was first (the verdict
+// may come only at the run's end); null when nothing failed.
 export function failureUs(events: readonly VizEvent[], collisions: readonly Collision[]): number | null {
   const verdict = events.find((event) => event.kind === 'verdict' && isFailure(event.text));
-  return verdict?.tUs ?? collisions[0]?.tUs ?? null;
+  const tUs = Math.min(verdict?.tUs ?? Infinity, collisions[0]?.tUs ?? Infinity);
+  return Number.isFinite(tUs) ? tUs : null;
 }
 
 // Index of the command that runs at a time, -1 before the first. Of several at one time the last.
@@ -83,7 +85,7 @@ export function isFailure(text: string): boolean {
 }
 
 function collisionOf(event: VizEvent): Collision {
-  const terrain = /terrain|line|wall/i.test(event.text);
+  const terrain = /terrain/i.test(event.text);
   return { tUs: event.tUs, a: event.a, b: event.b, terrain, x: event.x, y: event.y };
 }
 

@@ -25,14 +25,20 @@ export class RunData {
   world: World | null = null;
   faults: Faults | null = null;
   status: Status | null = null;
-  failing = -1; // index of the command that failed
   runs = 0; // how many runs began, this one included
+  private failingKnown: number | null = null; // null: events or case have changed since
   private readonly filter = new RunFilter();
   private readonly risks = new Map<number, TimeBuffer<PackedRisk>>();
   private readonly ranges = new Map<number, TimeBuffer<TimedRanges>>();
 
   get run(): number {
     return this.filter.current;
+  }
+
+  // Index of the command that failed, -1 without.
+  get failing(): number {
+    this.failingKnown ??= failingCommand(this.caseInfo, this.log.events, this.log.collisions);
+    return this.failingKnown;
   }
 
   // The observers whose contours came, in the order they came first.
@@ -57,7 +63,7 @@ export class RunData {
       case 'VIZ_EVENT':
         if (!this.log.add(message.value)) return;
         changed.add('events');
-        this.findFailing();
+        this.failingKnown = null;
         return;
       case 'VIZ_STATUS':
         this.status = message.value;
@@ -119,7 +125,7 @@ export class RunData {
     this.ranges.clear();
     this.log.clear();
     this.faults = null;
-    this.failing = -1;
+    this.failingKnown = null;
     for (const topic of ['buffer', 'events', 'faults', 'case'] as const) changed.add(topic);
   }
 
@@ -154,13 +160,9 @@ export class RunData {
     } else if (message.channel === 'VIZ_CASE') {
       if (sameCase(this.caseInfo, message.value)) return;
       this.caseInfo = message.value;
-      this.findFailing();
+      this.failingKnown = null;
       changed.add('case');
     }
-  }
-
-  private findFailing(): void {
-    this.failing = failingCommand(this.caseInfo, this.log.events, this.log.collisions);
   }
 }
 
