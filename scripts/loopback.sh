@@ -9,7 +9,7 @@ set -euo pipefail
 [ $# -gt 0 ] || { sed -n '4s/^# *//p' "$0" >&2; exit 2; }
 command -v ip >/dev/null || { echo "loopback: ip is missing; run: scripts/setup.sh test" >&2; exit 2; }
 
-network='ip link set lo up && ip route add 239.0.0.0/8 dev lo &&'
+network='ip link set lo up && ip route add 239.0.0.0/8 dev lo src 127.0.0.1 &&'
 if [ "$(id -u)" = 0 ]; then
   exec unshare --net -- bash -c "$network exec \"\$@\"" loopback "$@"
 elif unshare --user --map-root-user --net -- true 2>/dev/null; then

@@ -118,7 +118,8 @@ failed(Url, #{port := Port}, eaddrinuse) ->
 failed(Url, #{address := Ip}, Reason) when Reason =:= enodev; Reason =:= enetunreach;
                                            Reason =:= eaddrnotavail ->
     say("~ts: ~ts; is the loopback interface up? (ip link set lo up; "
-        "ip route add ~ts/32 dev lo)", [Url, inet:format_error(Reason), inet:ntoa(Ip)]);
+        "ip route replace ~ts/32 dev lo src 127.0.0.1)",
+         [Url, inet:format_error(Reason), inet:ntoa(Ip)]);
 failed(Url, _, Reason) ->
     say("~ts: ~ts", [Url, inet:format_error(Reason)]).
 

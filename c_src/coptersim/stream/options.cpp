@@ -24,7 +24,7 @@ const char *const help_text =
   --help
 
 Messages: the folder lcm and docs/visualizer.md. liblcm takes the kernel's route for the group, so
-publishing needs, once and as root: ip route add 239.255.76.67/32 dev lo
+publishing needs, once and as root: ip route replace 239.255.76.67/32 dev lo src 127.0.0.1
 Exit status: 0 done, also after a collision; 2 wrong command line or scenario, no route, or the log
 cannot be written; 130 interrupted, without a log.
 )";

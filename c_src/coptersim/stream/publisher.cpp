@@ -64,7 +64,7 @@ bool read_place(const std::string &url, const std::string &text, multicast_place
 }
 
 std::string remedy(const std::string &group) {
-    return "; as root run: ip route add " + group + "/32 dev lo";
+    return "; as root run: ip route replace " + group + "/32 dev lo src 127.0.0.1";
 }
 
 } // namespace
