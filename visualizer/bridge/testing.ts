@@ -210,8 +210,8 @@ function get(port: number, path: string, headers: Record<string, string>, method
   });
 }
 
-// Sends to the group as a player does, and records what is asked of it.
-export async function startPlayer(group: Group) {
+// Sends to the group as a player does, and records what is asked of it; onMessage gets everything that comes.
+export async function startPlayer(group: Group, onMessage?: (channel: string, payload: Uint8Array) => void) {
   const socket = createSocket({ type: 'udp4', reuseAddr: group.multicast });
   await new Promise<void>((resolve) =>
     group.multicast
@@ -228,7 +228,9 @@ export async function startPlayer(group: Group) {
   const reassembly = new Reassembly();
   socket.on('message', (bytes, { address, port }) => {
     const whole = reassembly.accept(`${address}:${port}`, bytes);
-    if (whole && typeof whole !== 'string' && whole.channel === 'VIZ_CONTROL') {
+    if (!whole || typeof whole === 'string') return;
+    onMessage?.(whole.channel, whole.payload);
+    if (whole.channel === 'VIZ_CONTROL') {
       controls.push(decodeControl(whole.payload));
       heard.changed();
     }

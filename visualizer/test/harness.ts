@@ -47,6 +47,7 @@ export interface Opened {
   state<T>(look: (state: ViewerState) => T): Promise<T>;
   until(look: (state: ViewerState) => unknown, limitMs?: number): Promise<void>; // look must be self-contained
   stats(): Promise<MapStats>;
+  renderer(): Promise<number>; // process id of the page
 }
 
 type MapStats = ReturnType<MapView['stats']>;
@@ -81,6 +82,7 @@ export async function openPage(url: string, options: BrowserContextOptions = {})
       if (found !== '') throw new Error(`not within ${limitMs} ms: ${String(look)}; ${String(found)}`);
     },
     stats: () => page.evaluate(() => (window as unknown as { __viz: Viz }).__viz.stats()),
+    renderer: () => rendererOf(page),
   };
 }
 
@@ -95,6 +97,23 @@ const untilInPage = (look: string, limitMs: number): string => `new Promise((res
   };
   ask();
 })`;
+
+// The process of a page: the one that spins when the page does. Chromium does not say which it is.
+async function rendererOf(page: Page): Promise<number> {
+  const session = await browser.newBrowserCDPSession();
+  const times = async (): Promise<Map<number, number>> => {
+    const { processInfo } = await session.send('SystemInfo.getProcessInfo');
+    return new Map(
+      processInfo.filter(({ type }) => type === 'renderer').map(({ id, cpuTime }) => [id, cpuTime]),
+    );
+  };
+  const before = await times();
+  await page.evaluate('{ const end = performance.now() + 300; while (performance.now() < end); }');
+  const after = await times();
+  await session.detach();
+  const busiest = [...after].map(([id, time]) => ({ id, spent: time - (before.get(id) ?? 0) }));
+  return busiest.toSorted((a, b) => b.spent - a.spent)[0]?.id ?? 0;
+}
 
 // The page of the tests opened as a file, without any bridge, with this log in it.
 export async function openLog(log: Uint8Array, options: BrowserContextOptions = {}): Promise<Opened> {
@@ -113,6 +132,7 @@ export interface BridgeProcess {
   cases: string;
   lines: string[];
   said: Changes;
+  pid(): number;
   kill(): Promise<void>;
   restart(): Promise<void>; // on the same port
 }
@@ -178,7 +198,17 @@ export async function startBridge(settings: BridgeSettings = {}): Promise<Bridge
     await kill();
     await start(port);
   };
-  return { url: `http://127.0.0.1:${port}/`, port, group, cases, lines, said, kill, restart };
+  return {
+    url: `http://127.0.0.1:${port}/`,
+    port,
+    group,
+    cases,
+    lines,
+    said,
+    pid: () => child?.pid ?? 0,
+    kill,
+    restart,
+  };
 }
 
 export type Player = Awaited<ReturnType<typeof startPlayer>> & { answerAll(): void };
