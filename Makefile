@@ -48,7 +48,7 @@ test:  ## install what is missing, build, and run every test and check
 	@scripts/test.sh
 
 bench:  ## measure speed and memory; CHECK=1 fails when a bound is missed
-	@scripts/setup.sh --quiet demo
+	@scripts/setup.sh --quiet bench
 	@CHECK="$(CHECK)" scripts/bench.sh
 
 coverage:  ## C line coverage of the airbag under three fault classes (lcov HTML)

@@ -32,6 +32,12 @@ for source in bench/*_bench.erl; do
   taskset -c "$core" erl +S 1:1 -noinput -pa _build/bench -s "$module" main >>"$lines" || fail "$module"
 done
 
+echo "running the visualizer" >&2
+visualizer_log=_build/bench/visualizer.log
+scripts/build_visualizer.sh test >"$visualizer_log" 2>&1 || fail "building the visualizer ($visualizer_log)"
+(cd visualizer && VIZ_BENCH_LINES="$lines" ../scripts/loopback.sh npx vitest run --config bench/vitest.config.ts) \
+  >>"$visualizer_log" 2>&1 || fail "measuring the visualizer ($visualizer_log)"
+
 processor=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -1)
 memory=$(awk '/MemTotal/ {printf "%.0f GiB", $2 / 1048576}' /proc/meminfo)
 load=$(cut -d ' ' -f 1-3 /proc/loadavg)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing for a purpose, and only that.
 #
-#   scripts/setup.sh [--quiet] native|demo|visualizer|test|coverage|docs|all
+#   scripts/setup.sh [--quiet] native|demo|visualizer|bench|test|coverage|docs|all
 #
 # A requirement is a test (is the command, header or Erlang application there?) and the Debian package that supplies
 # it, so tools installed in another way are left alone. The list is shown before anything is installed; a person is
@@ -29,6 +29,9 @@ vectors header:zlib.h            zlib1g-dev
 stream  header:lcm/lcm.h         liblcm-dev
 stream  cmd:lcm-gen              liblcm-bin
 visualizer cmd:node              nodejs
+browser cmd:npm                  npm
+browser cmd:chromium             chromium
+browser cmd:ip                   iproute2
 demo    app:eunit                erlang-eunit
 demo    app:syntax_tools         erlang-syntax-tools
 demo    cmd:rebar3               rebar3
@@ -44,14 +47,9 @@ test    cmd:shellcheck           shellcheck
 test    cmd:dwz                  dwz
 test    cmd:git                  git
 test    cmd:python3              python3
-test    cmd:ip                   iproute2
 test    cmd:arm-none-eabi-gcc    gcc-arm-none-eabi
 test    cmd:aarch64-linux-gnu-g++  g++-aarch64-linux-gnu
 test    cmd:qemu-aarch64         qemu-user
-test    cmd:ip                   iproute2
-test    cmd:node                 nodejs
-test    cmd:npm                  npm
-test    cmd:chromium             chromium
 coverage cmd:lcov                lcov
 docs    cmd:git                  git
 docs    cmd:erl                  erlang-base
@@ -66,10 +64,11 @@ included() {
     native) [[ $1 = native || $1 = vectors || $1 = stream ]] ;;
     demo) [[ $1 = native || $1 = demo ]] ;;
     visualizer) [[ $1 = native || $1 = demo || $1 = visualizer ]] ;;
+    bench) [[ $1 != test && $1 != coverage && $1 != docs ]] ;;
     docs) [[ $1 = docs ]] ;;
     coverage) [[ $1 = native || $1 = demo || $1 = coverage ]] ;;
     test | all) true ;;
-    *) echo "setup: unknown purpose '$purpose' (native, demo, visualizer, test, coverage, docs or all)" >&2; exit 2 ;;
+    *) echo "setup: unknown purpose '$purpose' (native, demo, visualizer, bench, test, coverage, docs or all)" >&2; exit 2 ;;
   esac
 }
 

@@ -94,8 +94,9 @@ test.each([40, 400])('%i objects at 60 Hz for 20 s', async (count) => {
   const tookS = (performance.now() - began) / 1000;
   const used = cpuSeconds(bridge.pid()) - cpu;
   report(`viz_chain_fps_${count}`, ((await opened.stats()).drawn - drawn) / tookS, '1/s');
-  await opened.until((s) => s.toUs >= 19_900_000);
-  expect(await opened.state((s) => [s.events.length, s.connection.lost])).toEqual([events, 0]);
+  await expect
+    .poll(() => opened.state((s) => [s.events.length, s.connection.lost]), { timeout: 10_000 })
+    .toEqual([events, 0]);
   if (count === 400) report('viz_bridge_cpu_pct', (100 * used) / tookS, '%');
   else report('viz_latency_p50_ms', await latency(opened, departures), 'ms');
 });
