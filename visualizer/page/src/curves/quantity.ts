@@ -12,43 +12,36 @@ export type Quantity =
   | 'comfort'
   | 'nearest';
 
+const COLUMNS: Readonly<Record<Exclude<Quantity, 'positionError' | 'velocityError' | 'nearest'>, number>> = {
+  x: Col.x,
+  y: Col.y,
+  xEst: Col.xEst,
+  yEst: Col.yEst,
+  comfort: Col.comfort,
+};
+
 // The value of an object in a frame; NaN where there is none.
 export function quantityAt(quantity: Quantity, frame: PackedFrame, row: number): number {
   const at = row * STRIDE;
-  const value = (column: number): number => frame.data[at + column] ?? NaN;
-  switch (quantity) {
-    case 'positionError':
-      return distance(frame, at, Col.x, at, Col.xEst);
-    case 'velocityError':
-      return distance(frame, at, Col.vx, at, Col.vxEst);
-    case 'x':
-      return value(Col.x);
-    case 'y':
-      return value(Col.y);
-    case 'xEst':
-      return value(Col.xEst);
-    case 'yEst':
-      return value(Col.yEst);
-    case 'comfort':
-      return value(Col.comfort);
-    case 'nearest':
-      return nearest(frame, at);
-  }
+  if (quantity === 'positionError') return distance(frame.data, at + Col.x, at + Col.xEst);
+  if (quantity === 'velocityError') return distance(frame.data, at + Col.vx, at + Col.vxEst);
+  if (quantity === 'nearest') return nearest(frame.data, at);
+  return frame.data[at + COLUMNS[quantity]] ?? NaN;
 }
 
-// True distance (m) to the nearest other object, NaN when there is no other.
-function nearest(frame: PackedFrame, at: number): number {
+// True distance (m) of the object at a place to the nearest other one, NaN when there is no other.
+function nearest(data: Float32Array, at: number): number {
   let least = Infinity;
-  for (let other = 0; other < frame.data.length; other += STRIDE) {
-    if (other !== at) least = Math.min(least, distance(frame, at, Col.x, other, Col.x));
+  for (let other = 0; other < data.length; other += STRIDE) {
+    if (other !== at) least = Math.min(least, distance(data, at + Col.x, other + Col.x));
   }
   return least < Infinity ? least : NaN;
 }
 
-// Length of the difference of two vectors of three columns.
-function distance({ data }: PackedFrame, row: number, from: number, otherRow: number, to: number): number {
-  const dx = (data[otherRow + to] ?? NaN) - (data[row + from] ?? NaN);
-  const dy = (data[otherRow + to + 1] ?? NaN) - (data[row + from + 1] ?? NaN);
-  const dz = (data[otherRow + to + 2] ?? NaN) - (data[row + from + 2] ?? NaN);
+// Length of the difference of two vectors of three columns, which begin at these places.
+function distance(data: Float32Array, one: number, other: number): number {
+  const dx = (data[other] ?? NaN) - (data[one] ?? NaN);
+  const dy = (data[other + 1] ?? NaN) - (data[one + 1] ?? NaN);
+  const dz = (data[other + 2] ?? NaN) - (data[one + 2] ?? NaN);
   return Math.sqrt(dx * dx + dy * dy + dz * dz);
 }
