@@ -64,29 +64,20 @@ count(N, What) -> io_lib:format("~b ~ss", [N, What]).
 
 %% ---- tables -----------------------------------------------------------------------------------
 
-commands(#{steps := Steps, result := Result}) ->
-    Ran = length([run || #{value := {value, _}} <- Steps]),
+commands(#{steps := Steps} = Trace) ->
+    Failed = airbag_trace:failed_at(Trace),
     table(["number", "command", "gave", "faults in force"], [
         {
-            row_class(Number, Ran, Result),
+            Number =:= Failed,
             [
                 integer_to_list(Number),
                 ["<code>", escape(airbag_story:call(Name, Args)), "</code>"],
-                [gave(Value), [" <strong>failed</strong>" || failed(Number, Ran, Result)]],
+                [gave(Value), [" <strong>failed</strong>" || Number =:= Failed]],
                 escape(lists:join("; ", [airbag_story:fault(F) || F <- Armed]))
             ]
         }
      || {Number, #{name := Name, args := Args, value := Value, armed := Armed}} <- numbered(Steps)
     ]).
-
-failed(Ran, Ran, Result) -> Result =/= ok;
-failed(_, _, _) -> false.
-
-row_class(Number, Ran, Result) ->
-    case failed(Number, Ran, Result) of
-        true -> "bad";
-        false -> ""
-    end.
 
 gave(none) -> "not run";
 gave({value, {exception, _, _, _}}) -> "an exception";
@@ -113,7 +104,7 @@ packet({Number, At, #{bytes := Bytes, sent := Sent} = Packet}, Trace) ->
     #{activations := Count, fired := Fired} = Packet,
     Flips = airbag_trace:flipped(Packet),
     {
-        case Fired of true -> "bad"; false -> "" end,
+        airbag_story:unasked({At, Packet}, Trace),
         [integer_to_list(Number), integer_to_list(At), sent(Sent), bytes(Bytes, Flips)] ++
             [flips(Flips), message(Protection, Bytes)] ++
             [Cell || Protection =:= e2e, Cell <- protection(Packet, Trace)] ++
@@ -178,15 +169,16 @@ wanted(_, _) ->
 fired(true) -> "<strong>fired</strong>";
 fired(false) -> "silent".
 
+%% Rows are {Marked, Cells}.
 table(Heads, Rows) ->
     [
         "<div class=\"scroll\" tabindex=\"0\">\n<table>\n<thead><tr>",
         [["<th scope=\"col\">", escape(Head), "</th>"] || Head <- Heads],
         "</tr></thead>\n<tbody>\n",
         [
-            ["<tr", [[" class=\"", Class, "\""] || Class =/= ""], ">"] ++
-                [["<td>", Cell, "</td>"] || Cell <- Cells] ++ ["</tr>\n"]
-         || {Class, Cells} <- Rows
+            ["<tr", [" class=\"bad\"" || Bad], ">", [["<td>", Cell, "</td>"] || Cell <- Cells],
+                "</tr>\n"]
+         || {Bad, Cells} <- Rows
         ],
         "</tbody>\n</table>\n</div>\n"
     ].

@@ -1,7 +1,7 @@
 %% @doc Why a run of the airbag failed, in sentences. All of it is read from the trace.
 -module(airbag_story).
 
--export([headline/1, sentences/1, fault/1, call/2, hex/1]).
+-export([headline/1, sentences/1, fault/1, call/2, hex/1, unasked/2]).
 
 -type text() :: unicode:chardata().
 
@@ -15,6 +15,8 @@ headline(#{result := {postcondition, _}} = Trace) ->
         {_, none} -> "A command gave what it must not give";
         {_, _} -> "The airbag fired without cause"
     end;
+headline(#{result := {precondition, _}}) ->
+    "A command is not allowed where it stands";
 headline(_) ->
     "A command could not be run to its end".
 
@@ -38,12 +40,18 @@ reasons(#{result := Result}) ->
 last(#{steps := Steps}) ->
     lists:last([Step || #{value := {value, _}} = Step <- Steps]).
 
-%% The packet with which the airbag fired.
+%% The packet with which the airbag fired though nobody told it to.
 firing(Trace) ->
-    case [P || {_, _, #{fired := true}} = P <- airbag_trace:packets(Trace)] of
+    case [P || {_, At, Packet} = P <- airbag_trace:packets(Trace), unasked({At, Packet}, Trace)] of
         [First | _] -> First;
         [] -> none
     end.
+
+%% @doc Whether the airbag has fired behind this packet of a command, and was not to.
+-spec unasked({pos_integer(), airbag_trace:packet()}, airbag_trace:trace()) -> boolean().
+unasked({At, #{fired := Fired}}, #{steps := Steps}) ->
+    #{name := Name} = lists:nth(At, Steps),
+    Fired andalso Name =/= explosion.
 
 fired({Number, At, #{bytes := Bytes, activations := Count} = Packet}, Trace) ->
     #{steps := Steps, options := #{needed := Needed}} = Trace,
@@ -94,7 +102,7 @@ copies(At, Steps) ->
     end.
 
 armed([]) -> [];
-armed(Faults) -> [["Faults at that time: ", lists:join("; ", [fault(F) || F <- Faults]), "."]].
+armed(Faults) -> [["Faults in force: ", lists:join("; ", [fault(F) || F <- Faults]), "."]].
 
 silent(#{sent := Sent, received := Received}) ->
     Last =
@@ -119,14 +127,14 @@ silent(#{sent := Sent, received := Received}) ->
         Last
     ].
 
-%% @doc A fault in words.
+%% @doc A fault in a few words.
 -spec fault(airbag_eqc:fault()) -> text().
 fault({bitflip, Byte, Bit}) ->
-    io_lib:format("bit ~b of byte ~b of each packet is inverted", [Bit, Byte]);
+    io_lib:format("byte ~b bit ~b inverted", [Byte, Bit]);
 fault({repetition, 1}) ->
-    "the next packet is delivered once more";
+    "next packet once more";
 fault({repetition, Num}) ->
-    io_lib:format("the next packet is delivered ~b more times", [Num]).
+    io_lib:format("next packet ~b more times", [Num]).
 
 %% @doc A command as it is written.
 -spec call(atom(), [term()]) -> text().

@@ -17,6 +17,8 @@
 -define(CURVE, 96).
 -define(WIDTH, 940).
 -define(SLOT, 78).
+%% average width of a character of the bytes
+-define(CHAR, 8.5).
 
 %% A slot is a place on the time line: a packet that arrives, or a command without any.
 -record(slot, {step :: pos_integer(), packet = none :: none | airbag_trace:packet()}).
@@ -25,7 +27,7 @@
 -spec svg(airbag_trace:trace()) -> iodata().
 svg(#{steps := Steps} = Trace) ->
     Slots = slots(Steps),
-    Width = max(?SLOT, min(220, (?WIDTH - ?LEFT - ?RIGHT) div max(1, length(Slots)))),
+    Width = max(narrowest(Slots), min(220, (?WIDTH - ?LEFT - ?RIGHT) div length(Slots))),
     X = fun(Slot) -> ?LEFT + Width * (Slot - 1) end,
     Bars = bars(Steps, Slots),
     Faults = ?TOP + ?COMMANDS + 8,
@@ -61,6 +63,11 @@ description(#{steps := Steps} = Trace) ->
     Flipped = [P || {_, _, P} <- Packets, airbag_trace:flipped(P) =/= []],
     io_lib:format("~b commands, ~b packets received, ~b of them altered on the way. The tables "
         "below hold the same.", [length(Steps), length(Packets), length(Flipped)]).
+
+%% The bytes of each packet have room.
+narrowest(Slots) ->
+    Bytes = lists:max([0 | [byte_size(B) || #slot{packet = #{bytes := B}} <- Slots]]),
+    max(?SLOT, round(?CHAR * (3 * Bytes - 1)) + 18).
 
 slots(Steps) ->
     lists:append([slots_of(Number, Step) || {Number, Step} <- numbered(Steps)]).
@@ -134,12 +141,9 @@ bar(Row, Top, {Fault, First, Last}, X) ->
     [
         "<g class=\"fault\"><title>", text(airbag_story:fault(Fault)), "</title>",
         rect(Left, Y, Right - Left, ?FAULT - 6, "box", 4),
-        write(Left + 8, Y + 15, "small", cut(short(Fault), Right - Left - 12)),
+        write(Left + 8, Y + 15, "small", cut(airbag_story:fault(Fault), Right - Left - 12)),
         "</g>\n"
     ].
-
-short({bitflip, Byte, Bit}) -> io_lib:format("byte ~b bit ~b inverted", [Byte, Bit]);
-short({repetition, Num}) -> io_lib:format("next packet ~b more times", [Num]).
 
 %% ---- packets ----------------------------------------------------------------------------------
 
@@ -176,32 +180,46 @@ arrow(X, Y) ->
 
 status(#{status := none}, true) -> "altered";
 status(#{status := none}, false) -> "";
-status(#{status := Status}, true) -> ["altered, ", airbag_coverage:status(Status)];
-status(#{status := Status}, false) -> airbag_coverage:status(Status).
+status(#{status := Status}, _) -> airbag_coverage:status(Status).
 
 %% ---- the count --------------------------------------------------------------------------------
 
-curve(Slots, X, Width, Top, #{options := #{needed := Needed}}) ->
-    Counts = [{N, C, F} || {N, #slot{packet = #{activations := C, fired := F}}} <- numbered(Slots)],
-    Most = lists:max([Needed + 1 | [C || {_, C, _} <- Counts]]),
+curve(Slots, X, Width, Top, #{options := #{needed := Needed}} = Trace) ->
+    Counts = [{N, C} || {N, #slot{packet = #{activations := C}}} <- numbered(Slots)],
+    Most = lists:max([Needed + 1 | [C || {_, C} <- Counts]]),
     Y = fun(Count) -> Top + ?CURVE - ?CURVE * Count / Most end,
     Right = X(length(Slots) + 1),
-    Points = [{X(N) + Width / 2, Y(C)} || {N, C, _} <- Counts],
+    Points = [{X(N) + Width / 2, Y(C)} || {N, C} <- Counts],
     Limit = io_lib:format("~b fire", [Needed]) ++ [$s || Needed =:= 1] ++ " it",
     [
         line(?LEFT, Y(0), Right, Y(0), "axis"),
         line(?LEFT, Y(Needed), Right, Y(Needed), "limit"),
         write(?LEFT + 6, Y(Needed) - 6, "small limit-text", Limit),
-        steps([{?LEFT, Y(0)} | Points]),
+        steps([{?LEFT, Y(0)} | lists:sort(Points ++ [{X(N), Y(0)} || N <- starts(Trace, Slots)])]),
         [
             [dot(PX, PY), write(PX + 16, PY + 16, "small", integer_to_list(C))]
-         || {{PX, PY}, {_, C, _}} <- lists:zip(Points, Counts)
+         || {{PX, PY}, {_, C}} <- lists:zip(Points, Counts)
         ],
-        [fired(P) || P <- first_fired(Points, Counts)]
+        [
+            fired(Slot, {X(N) + Width / 2, Y(C)}, Trace)
+         || {N, #slot{packet = #{activations := C}} = Slot} <- firings(Slots)
+        ]
     ].
 
-first_fired(Points, Counts) ->
-    lists:sublist([P || {P, {_, _, true}} <- lists:zip(Points, Counts)], 1).
+%% The slots behind explosions, which end with a start of the airbag.
+starts(#{steps := Steps}, Slots) ->
+    [
+        element(2, extent(Number, Slots)) + 1
+     || {Number, #{name := explosion, received := [_ | _]}} <- numbered(Steps)
+    ].
+
+%% The first packet of each command behind which the airbag has fired.
+firings(Slots) ->
+    Fired = [
+        {Step, Slot}
+     || {_, #slot{step = Step, packet = #{fired := true}}} = Slot <- numbered(Slots)
+    ],
+    [Slot || {_, Slot} <- lists:ukeysort(1, Fired)].
 
 steps([{X0, Y0} | Points]) ->
     Steps = [["H", number(X), "V", number(Y)] || {X, Y} <- Points],
@@ -210,8 +228,14 @@ steps([{X0, Y0} | Points]) ->
 dot(X, Y) ->
     ["<circle class=\"dot\"", attributes([{cx, X}, {cy, Y}, {r, 4}]), "/>"].
 
-%% A cross in a ring: told without colour.
-fired({X, Y}) ->
+%% As it should, or a cross in a ring: told without colour.
+fired(#slot{step = Step, packet = Packet}, {X, Y}, Trace) ->
+    case airbag_story:unasked({Step, Packet}, Trace) of
+        false -> write_middle(X, Y - 10, "small", "fired, as told");
+        true -> unasked(X, Y)
+    end.
+
+unasked(X, Y) ->
     [
         "<g class=\"fired\"><circle", attributes([{cx, X}, {cy, Y}, {r, 11}]), "/>",
         path(["M", number(X - 6), " ", number(Y - 6), "l12 12m0 -12l-12 12"], "cross"),

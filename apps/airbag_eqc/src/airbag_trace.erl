@@ -6,7 +6,7 @@
 %% itself (airbag.h).
 -module(airbag_trace).
 
--export([run/2, flipped/1, packets/1]).
+-export([run/2, flipped/1, packets/1, failed_at/1]).
 -export_type([trace/0, step/0, packet/0, status/0]).
 
 -type command() :: faultcheck_statem:command().
@@ -35,7 +35,7 @@
     command := command(),
     name := atom(),
     args := [term()],
-    %% while it ran, or from it on, in the order of arming
+    %% while it ran, or from it on, in the order of arming; nothing when it was not run
     armed := [airbag_eqc:fault()],
     sent := [binary()],
     received := [packet()],
@@ -109,7 +109,7 @@ steps([{set, _, {call, _, Name, Args}} = Command | Commands], Values, Recordings
 next([], Default) -> {Default, []};
 next([Head | Tail], _) -> {Head, Tail}.
 
-armed(_, _, none, Before) -> Before;
+armed(_, _, none, _) -> [];
 armed(bit_flip, [Byte, Bit], _, Before) -> Before ++ [{bitflip, Byte, Bit}];
 armed(repetition, [Num], _, Before) -> Before ++ [{repetition, Num}];
 armed(explosion, _, _, _) -> [];
@@ -171,6 +171,17 @@ flipped(#{sent := Sent, bytes := Bytes}) when
     ];
 flipped(_) ->
     [].
+
+%% @doc The number of the command that failed; of a precondition that is the first one not run.
+-spec failed_at(trace()) -> pos_integer() | none.
+failed_at(#{result := ok}) ->
+    none;
+failed_at(#{result := Result, steps := Steps}) ->
+    Ran = length([ran || #{value := {value, _}} <- Steps]),
+    case Result of
+        {precondition, _} -> Ran + 1;
+        _ -> Ran
+    end.
 
 %% @doc All packets that arrived, numbered from 1, each with the number of its command.
 -spec packets(trace()) -> [{pos_integer(), Command :: pos_integer(), packet()}].

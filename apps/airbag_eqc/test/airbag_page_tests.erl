@@ -9,6 +9,7 @@ page_test_() ->
         {"what a command holds is text", fun hostile/0},
         {"it loads nothing and runs nothing", fun inert/0},
         {"an airbag that stays silent is told as that", fun silent/0},
+        {"an airbag that fired as it was told to is not blamed", fun told_to/0},
         {"every number of the tables is in the picture", fun picture/0}
     ]}.
 
@@ -107,6 +108,18 @@ silent() ->
     Page = unicode:characters_to_binary(airbag_page:format(Case, Failing)),
     has(Page, "The airbag did not fire when it was told to"),
     has(Page, "[85,170] was sent 3 times").
+
+told_to() ->
+    {Page, _} = page(plain(), [{explosion, [[85, 170]]} | unsafe()]),
+    Rows = rows(Page, "h-packets"),
+    ?assertEqual(
+        [<<"silent">>, <<"fired">>, <<"silent">>, <<"fired">>], [lists:last(Row) || Row <- Rows]
+    ),
+    has(Page, "Command 4, sensor([84,170]), sent 54 aa; what arrived as packet 4 is 55 aa"),
+    has(Page, "fired, as told"),
+    ?assertEqual(1, length(binary:matches(Page, <<">FIRED<">>))),
+    %% the last packet, and the command that failed
+    ?assertEqual(2, length(binary:matches(Page, <<"<tr class=\"bad\">">>))).
 
 picture() ->
     {Page, _} = page(plain(), unsafe()),
