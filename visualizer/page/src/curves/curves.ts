@@ -45,6 +45,7 @@ class UplotCurves implements Curves {
   private readonly head = el('div', { class: 'curves-head', 'aria-hidden': 'true' });
   private timer: ReturnType<typeof setTimeout> | null = null;
   private numbersMs = -Infinity;
+  private width = 0; // of the chart, CSS pixels; asking the element for it would cost a layout each frame
 
   constructor(
     host: HTMLElement,
@@ -73,7 +74,7 @@ class UplotCurves implements Curves {
 
   draw(surface: SvgSurface, top: number): number {
     const { seconds, points } = this.data();
-    const area = { width: this.chart.clientWidth, span: this.axis.span };
+    const area = { width: this.width, span: this.axis.span };
     const curves = this.curves.map((curve, index) => ({
       curve,
       name: this.name(curve),
@@ -173,6 +174,7 @@ class UplotCurves implements Curves {
   private resized(): void {
     const { clientWidth: width, clientHeight: height } = this.chart;
     if (width < 1 || height < 1) return;
+    this.width = width;
     this.plot?.setSize({ width, height });
     this.paint();
   }
@@ -189,11 +191,11 @@ class UplotCurves implements Curves {
     const values = this.curves.map(
       ({ object, kind }) => this.tracks.of(object, kind.quantity, frames).values,
     );
-    return decimate(this.tracks.times, values, fromUs, toUs, Math.round(plotWidth(this.chart.clientWidth)));
+    return decimate(this.tracks.times, values, fromUs, toUs, Math.round(plotWidth(this.width)));
   }
 
   private moveHead(): void {
-    const area = { width: this.chart.clientWidth, span: this.axis.span };
+    const area = { width: this.width, span: this.axis.span };
     const { tUs } = this.viewer.state;
     this.head.hidden = tUs < area.span.fromUs || tUs > area.span.toUs;
     this.head.style.transform = `translateX(${timeToX(area, tUs)}px)`;
