@@ -37,7 +37,8 @@
     to :: from() | nobody,
     %% to is the latest sender
     answers :: boolean(),
-    foreign :: boolean(),
+    %% hear any sender
+    any_sender :: boolean(),
     sequence :: atomics:atomics_ref(),
     reassembly :: replay_lcm_packet:reassembly()
 }).
@@ -62,7 +63,7 @@ open(Url, Options) ->
                         receiver = Receiver,
                         to = To,
                         answers = To =:= nobody,
-                        foreign = AllowNetwork,
+                        any_sender = AllowNetwork orelse maps:get(kind, Address) =:= multicast,
                         sequence = atomics:new(1, [{signed, false}]),
                         reassembly = replay_lcm_packet:new()
                     }};
@@ -143,15 +144,17 @@ send(Socket, {Ip, Port} = To, [Packet | Rest], Where) ->
         {error, Reason} -> {error, say("~ts: ~ts", [Where, inet:format_error(Reason)])}
     end.
 
-%% @doc What an Erlang message of this process means; see above. Senders that are not of this host
-%% are not heard unless the network is allowed.
+%% @doc What an Erlang message of this process means; see above. By unicast, senders that are not of
+%% this host are not heard unless the network is allowed. By multicast only the loopback interface is
+%% heard; there a sender of this host may have any of its addresses: programs of liblcm have that of
+%% another interface.
 -spec incoming(term(), lcm()) ->
     {message, Channel :: binary(), Payload :: binary(), from(), lcm()}
     | {bad, replay_lcm:line(), from(), lcm()}
     | {none, lcm()}
     | unknown.
-incoming({udp, Socket, Ip, Port, Packet}, #lcm{receiver = Socket, foreign = Foreign} = Lcm) when
-    element(1, Ip) =:= 127; Foreign
+incoming({udp, Socket, Ip, Port, Packet}, #lcm{receiver = Socket, any_sender = Any} = Lcm) when
+    element(1, Ip) =:= 127; Any
 ->
     From = {Ip, Port},
     {Result, Reassembly} =

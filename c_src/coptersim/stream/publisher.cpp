@@ -5,9 +5,9 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <lcm/lcm-cpp.hpp>
-#include <sys/socket.h>
-#include <unistd.h>
+#include <sstream>
 
 namespace coptersim_stream {
 namespace {
@@ -27,7 +27,7 @@ bool read_whole(const std::string &text, long low, long high, int &number) {
 }
 
 bool is_multicast(const std::string &address) {
-    in_addr binary;
+    in_addr binary{};
     return inet_pton(AF_INET, address.c_str(), &binary) == 1 && (ntohl(binary.s_addr) >> 28) == 0xe;
 }
 
@@ -63,11 +63,40 @@ bool read_place(const std::string &url, const std::string &text, multicast_place
            wrong(url, "the port must be 1 to 65535, not \"" + text.substr(colon + 1) + "\"", error);
 }
 
+std::uint32_t binary_of(const std::string &address) {
+    in_addr binary{};
+    inet_pton(AF_INET, address.c_str(), &binary);
+    return binary.s_addr;
+}
+
 std::string remedy(const std::string &group) {
     return "; as root run: ip route replace " + group + "/32 dev lo src 127.0.0.1";
 }
 
 } // namespace
+
+std::string route_of(const std::string &group, std::istream &table) {
+    constexpr unsigned int up = 1;
+    std::uint32_t address = binary_of(group);
+    std::string line, interface, best;
+    std::uint32_t longest = 0;
+    std::getline(table, line); /* the names of the columns */
+    while (std::getline(table, line)) {
+        std::istringstream fields(line);
+        std::uint32_t destination = 0, gateway = 0, mask = 0;
+        unsigned int flags = 0;
+        long count = 0, use = 0, metric = 0;
+        fields >> interface >> std::hex >> destination >> gateway >> flags >> std::dec >> count >>
+            use >> metric >> std::hex >> mask;
+        bool goes = fields && (flags & up) != 0 && (address & mask) == destination;
+        /* A longer mask has more bits, and so is the larger number in the order of the host. */
+        if (goes && (best.empty() || ntohl(mask) > longest)) {
+            longest = ntohl(mask);
+            best = interface;
+        }
+    }
+    return best;
+}
 
 bool read_url(const std::string &url, bool allow_network, multicast_place &place,
               std::string &error) {
@@ -95,27 +124,15 @@ bool read_url(const std::string &url, bool allow_network, multicast_place &place
 }
 
 bool has_loopback_route(const multicast_place &place, std::string &error) {
-    sockaddr_in to{}, from{};
-    to.sin_family = AF_INET;
-    to.sin_port = htons(static_cast<std::uint16_t>(place.port));
-    inet_pton(AF_INET, place.group.c_str(), &to.sin_addr);
-    socklen_t length = sizeof from;
-    /* Connecting a UDP socket sends nothing; it only asks the kernel for the route. */
-    int fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-    if (fd < 0) {
-        return wrong("socket", std::strerror(errno), error);
-    }
-    bool routed = connect(fd, reinterpret_cast<sockaddr *>(&to), sizeof to) == 0 &&
-                  getsockname(fd, reinterpret_cast<sockaddr *>(&from), &length) == 0;
-    close(fd);
-    if (!routed) {
+    std::ifstream table("/proc/net/route");
+    std::string interface = route_of(place.group, table);
+    if (interface.empty()) {
         return wrong(place.group, "there is no route to it" + remedy(place.group), error);
     }
-    return ntohl(from.sin_addr.s_addr) >> 24 == 127 ||
-           wrong(place.group,
-                 "the route to it leaves this host (--allow-network allows it)" +
-                     remedy(place.group),
-                 error);
+    return interface == "lo" || wrong(place.group,
+                                      "the route to it leaves this host through " + interface +
+                                          " (--allow-network allows it)" + remedy(place.group),
+                                      error);
 }
 
 publisher::publisher() = default;

@@ -4,6 +4,7 @@
 
 #include "sink.hpp"
 
+#include <istream>
 #include <memory>
 
 namespace lcm {
@@ -29,6 +30,10 @@ bool read_url(const std::string &url, bool allow_network, multicast_place &place
 /* Whether packets for the group go through the loopback interface; liblcm takes the kernel's route.
  * false: error is one line that says what to run. */
 bool has_loopback_route(const multicast_place &place, std::string &error);
+
+/* The interface that packets for an address go through by a table in the form of /proc/net/route:
+ * the one of the longest prefix, the first of equals. "" for none. */
+std::string route_of(const std::string &group, std::istream &table);
 
 class publisher : public sink {
   public:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes test/data/viz_*: messages, a log and packets made by liblcm and the code of lcm-gen, for the tests of codecs in
-# other languages. Needs lcm_peer (scripts/build_native.sh release), python3, and the right to make a network namespace.
+# other languages. Needs lcm_peer (scripts/build_native.sh release), python3, and what scripts/loopback.sh needs.
 set -euo pipefail
 cd "$(dirname "$0")/../../../.."
 peer=_build/native/bin/lcm_peer
@@ -32,7 +32,7 @@ except TimeoutError:
     pass
 print(json.dumps(packets, indent=0))
 PYTHON
-unshare -n sh -c 'ip link set lo up && ip route add 239.0.0.0/8 dev lo && exec "$@"' sh \
+scripts/loopback.sh \
   python3 "$work/record.py" "$peer" publish 'udpm://239.255.76.67:7667?ttl=0' $seed 1 $objects >"$work/packets.json"
 
 python3 - "$work" <<'PYTHON' >"$work/viz_messages.json"
