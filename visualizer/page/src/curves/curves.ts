@@ -12,7 +12,7 @@ import { failureUs } from '../model/event_log';
 import type { TimeAxis } from '../model/time_axis';
 import type { Topic, Viewer } from '../model/viewer';
 import { el, setText } from '../shell/dom';
-import { plotWidth, timeToX } from '../timeline/plot_area';
+import { type PlotArea, plotWidth, timeToX } from '../timeline/plot_area';
 import { drawCurves } from './curves_picture';
 import { decimate, type Points } from './decimate';
 import { type Curve, curvesOf, GROUPS, type Group } from './groups';
@@ -25,7 +25,7 @@ export interface Curves {
 }
 
 // While frames come, the curves are drawn this often.
-const DRAW_EVERY_MS = 100;
+const DRAW_EVERY_MS = 200;
 const NUMBERS_EVERY_MS = 200;
 
 export function createCurves(host: HTMLElement, viewer: Viewer, axis: TimeAxis): Curves {
@@ -74,7 +74,7 @@ class UplotCurves implements Curves {
 
   draw(surface: SvgSurface, top: number): number {
     const { seconds, points } = this.data();
-    const area = { width: this.width, span: this.axis.span };
+    const { area } = this;
     const curves = this.curves.map((curve, index) => ({
       curve,
       name: this.name(curve),
@@ -92,6 +92,10 @@ class UplotCurves implements Curves {
       endsS: this.ends(),
     });
     return height;
+  }
+
+  private get area(): PlotArea {
+    return { width: this.width, span: this.axis.span };
   }
 
   private tab(group: Group): HTMLButtonElement {
@@ -125,7 +129,7 @@ class UplotCurves implements Curves {
   private world(): PlotWorld {
     return {
       palette: () => this.palette,
-      spanS: () => [this.axis.span.fromUs / 1e6, this.axis.span.toUs / 1e6],
+      area: () => this.area,
       ends: () => this.ends(),
       selected: (fromS, toS) => this.axis.zoom({ fromUs: fromS * 1e6, toUs: toS * 1e6 }),
       reset: () => this.axis.reset(),
@@ -195,7 +199,7 @@ class UplotCurves implements Curves {
   }
 
   private moveHead(): void {
-    const area = { width: this.width, span: this.axis.span };
+    const { area } = this;
     const { tUs } = this.viewer.state;
     this.head.hidden = tUs < area.span.fromUs || tUs > area.span.toUs;
     this.head.style.transform = `translateX(${timeToX(area, tUs)}px)`;

@@ -3,7 +3,7 @@
 import { objectColor, type Palette } from '../map/palette';
 import type { Surface } from '../map/surface';
 import { marks } from '../model/time_axis';
-import { LEFT, type PlotArea, plotWidth, RIGHT, secondsText, timeToX } from '../timeline/plot_area';
+import { LEFT, type PlotArea, RIGHT, secondsText, spacingUs, timeToX } from '../timeline/plot_area';
 import type { Points } from './decimate';
 import type { Curve, Group } from './groups';
 import { axisRange } from './scale';
@@ -62,8 +62,7 @@ function plotTop({ top }: CurvesPicture): number {
 
 function drawTimes(surface: Surface, picture: CurvesPicture): void {
   const { area, palette } = picture;
-  const span = area.span.toUs - area.span.fromUs;
-  const { timesUs, stepUs } = marks(area.span, (span / plotWidth(area.width)) * 80);
+  const { timesUs, stepUs } = marks(area.span, spacingUs(area));
   surface.beginPath();
   for (const tUs of timesUs) {
     surface.moveTo(timeToX(area, tUs), plotTop(picture));

@@ -2,13 +2,14 @@
 
 import uPlot from 'uplot';
 import { objectColor, type Palette } from '../map/palette';
-import { LEFT, RIGHT, secondsText } from '../timeline/plot_area';
+import { marks } from '../model/time_axis';
+import { LEFT, type PlotArea, RIGHT, secondsText, spacingUs } from '../timeline/plot_area';
 import type { Curve, Group } from './groups';
 import { axisRange } from './scale';
 
 export interface PlotWorld {
   readonly palette: () => Palette;
-  readonly spanS: () => [number, number]; // seconds that are shown
+  readonly area: () => PlotArea;
   readonly ends: () => readonly number[]; // seconds at which a line marks a failure
   readonly selected: (fromS: number, toS: number) => void;
   readonly reset: () => void;
@@ -46,7 +47,7 @@ function options(host: HTMLElement, group: Group, curves: readonly Curve[], worl
       },
     },
     scales: {
-      x: { time: false, range: () => world.spanS() },
+      x: { time: false, range: () => [world.area().span.fromUs / 1e6, world.area().span.toUs / 1e6] },
       y: { range: (_plot, min, max) => axisRange(min, max, group.fromZero) },
       right: { range: (_plot, min, max) => axisRange(min, max, true) },
     },
@@ -67,7 +68,8 @@ function series({ object, kind }: Curve): uPlot.Series {
   };
 }
 
-function axes(group: Group, { palette }: PlotWorld): uPlot.Axis[] {
+function axes(group: Group, world: PlotWorld): uPlot.Axis[] {
+  const { palette } = world;
   const look = {
     stroke: () => palette().soft,
     font: `11px ${palette().font}`,
@@ -93,12 +95,17 @@ function axes(group: Group, { palette }: PlotWorld): uPlot.Axis[] {
     space: 26,
     grid: { show: false },
   };
+  // The same marks as the timeline's.
+  const timeMarks = (): ReturnType<typeof marks> => {
+    const area = world.area();
+    return marks(area.span, spacingUs(area));
+  };
   const time: uPlot.Axis = {
     ...look,
     scale: 'x',
     size: X_AXIS,
-    space: 80,
-    values: (_plot, splits, _axis, _space, step) => splits.map((t) => secondsText(t * 1e6, step * 1e6)),
+    splits: () => timeMarks().timesUs.map((tUs) => tUs / 1e6),
+    values: (_plot, splits) => splits.map((seconds) => secondsText(seconds * 1e6, timeMarks().stepUs)),
   };
   return group.rightUnit === '' ? [time, left] : [time, left, right];
 }

@@ -24,8 +24,15 @@ export function plotWidth(width: number): number {
   return Math.max(width - LEFT - RIGHT, 1);
 }
 
-// Seconds as an axis writes them: as many digits as its steps need.
+// Seconds as an axis writes them: as many digits as its steps need, at most to the microsecond.
 export function secondsText(tUs: number, stepUs: number): string {
-  const digits = Math.min(Math.max(-Math.floor(Math.log10(stepUs / 1e6) + 1e-9), 0), 6);
+  let digits = 0;
+  for (let step = stepUs / 1e6; digits < 6 && Math.abs(step - Math.round(step)) > 1e-6; step *= 10)
+    digits += 1;
   return `${(tUs / 1e6).toFixed(digits)} s`;
+}
+
+// Least time between two marks of the axis: 80 pixels.
+export function spacingUs(area: PlotArea): number {
+  return ((area.span.toUs - area.span.fromUs) / plotWidth(area.width)) * 80;
 }

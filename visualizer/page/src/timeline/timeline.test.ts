@@ -54,6 +54,7 @@ describe('the plot area', () => {
   });
 
   it('writes seconds with as many digits as the steps need', () => {
+    expect(secondsText(2.5 * S, 2.5 * S)).toBe('2.5 s');
     expect([secondsText(2 * S, S), secondsText(2 * S, 0.5 * S), secondsText(0.25 * S, 0.01 * S)]).toEqual([
       '2 s',
       '2.0 s',

@@ -26,6 +26,8 @@ export function createTimeline(host: HTMLElement, viewer: Viewer, axis: TimeAxis
 
 // The value for screen readers changes at most so often while playing.
 const VALUE_EVERY_MS = 500;
+// While frames come, the rows grow this often.
+const GROWS_EVERY_MS = 200;
 
 class CanvasTimeline implements Timeline {
   private palette = currentPalette();
@@ -43,6 +45,7 @@ class CanvasTimeline implements Timeline {
   private valueMs = -Infinity;
   private command = -1;
   private scheduled = false;
+  private later: ReturnType<typeof setTimeout> | null = null;
 
   constructor(
     host: HTMLElement,
@@ -79,9 +82,17 @@ class CanvasTimeline implements Timeline {
       const known = state.connection.kind !== 'socket' || (state.status?.durationUs ?? -1) > 0;
       this.axis.setWhole(wholeSpan(known, state.fromUs, state.durationUs));
     }
-    const rows = ['buffer', 'case', 'faults', 'events', 'selection', 'playback'] as const;
+    if (changed.has('buffer')) this.redrawLater();
+    const rows = ['case', 'faults', 'events', 'selection', 'playback'] as const;
     if (rows.some((topic) => changed.has(topic)) || state.currentCommand !== this.command) this.redraw();
     if (changed.has('time')) this.moveHead();
+  }
+
+  private redrawLater(): void {
+    this.later ??= setTimeout(() => {
+      this.later = null;
+      this.paint();
+    }, GROWS_EVERY_MS);
   }
 
   private redraw(): void {

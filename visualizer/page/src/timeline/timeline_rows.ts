@@ -8,7 +8,7 @@ import { faultLetter, faultText } from '../model/faults';
 import { marks } from '../model/time_axis';
 import type { Collision } from '../model/viewer';
 import { type Bar, laneCount } from './lanes';
-import { LEFT, type PlotArea, plotWidth, RIGHT, timeToX } from './plot_area';
+import { LEFT, type PlotArea, RIGHT, spacingUs, timeToX } from './plot_area';
 
 export interface Rows {
   readonly palette: Palette;
@@ -77,11 +77,6 @@ function drawGround(surface: Surface, area: PlotArea, { palette, heldUs, loop }:
   const x = timeToX(area, loop.fromUs);
   fillRect(surface, palette.accent, x, 0, timeToX(area, loop.toUs) - x, height);
   surface.globalAlpha = 1;
-}
-
-// Least time between two marks of the axis: 80 pixels.
-export function spacingUs(area: PlotArea): number {
-  return ((area.span.toUs - area.span.fromUs) / plotWidth(area.width)) * 80;
 }
 
 function drawNames(surface: Surface, { palette, bars }: Rows): void {
