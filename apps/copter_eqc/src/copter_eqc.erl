@@ -324,6 +324,7 @@ safe(Options, Tell, Shrinking) ->
             fun() -> ok end
         end,
         ?FORALL(Commands, more_commands(2, commands(?MODULE, Shrinking)), begin
+            ok = copter_watch:test(Options, Commands),
             ok = begin_test(Options),
             {_, _, Result} = Run = run_commands(?MODULE, Commands),
             ?WHENFAIL(Tell(Commands, Run), aggregate(command_names(Commands), Result =:= ok))

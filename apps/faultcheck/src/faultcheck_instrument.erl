@@ -6,7 +6,7 @@
 %% All knowledge of how PropEr 1.2 to 1.5 represents a property as a term is in this module.
 -module(faultcheck_instrument).
 
--export([peel/1, independent/1, test/2, seed/2, size/0, exception/1]).
+-export([peel/1, independent/1, test/2, seed/2, size/0, exception/1, running/0]).
 -export([take_samples/1, with_samples/2]).
 -export_type([outer/0, plan/0]).
 
@@ -79,6 +79,7 @@ begin_test(Test, #{property := Property, seed := Seed, next := Next} = Plan) ->
             Instead;
         Number ->
             _ = seed(Seed, Number),
+            _ = put({?MODULE, running}, {Number, 0}),
             ok = faultcheck_journal:test(#{
                 property => Property, seed => Seed, test => Number, size => size()
             }),
@@ -144,8 +145,22 @@ body(Instance, _Body, _Place, #{instead := Instead}) ->
     ok = Instead(Instance),
     true;
 body(Instance, Body, Place, Plan) ->
-    _ = Place =:= outermost andalso faultcheck_journal:attempt(),
+    _ = Place =:= outermost andalso attempt(),
     guarded(fun() -> Body(Instance) end, nested, Plan).
+
+attempt() ->
+    {Number, Attempt} = get({?MODULE, running}),
+    _ = put({?MODULE, running}, {Number, Attempt + 1}),
+    faultcheck_journal:attempt().
+
+%% @doc The number of the test that this process runs, and the how many-th time it does: 1, and more
+%% for candidates of its shrinking. none: no such test is running.
+-spec running() -> {Test :: pos_integer(), Attempt :: pos_integer()} | none.
+running() ->
+    case get({?MODULE, running}) of
+        undefined -> none;
+        Running -> Running
+    end.
 
 later(Later, Place, Plan) when is_function(Later, 0) ->
     fun() -> guarded(Later, Place, Plan) end;

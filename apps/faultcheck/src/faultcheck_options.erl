@@ -74,6 +74,8 @@ table() ->
             "probability of a limit in place of a value in a range (0)"},
         {max_runs, undefined, pos_integer, undefined, ours,
             "runs in each guided search (2000)"},
+        {watch, undefined, boolean, false, ours,
+            "show each test in the visualizer while it runs, if its model can"},
         {stats, undefined, boolean, false, ours, "statistics of commands, faults and lengths"},
         {junit, undefined, string, undefined, ours, "file for a JUnit XML report"},
         {json, undefined, string, undefined, ours, "file for a JSON report"}

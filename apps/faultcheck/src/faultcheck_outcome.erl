@@ -59,7 +59,7 @@ job({{Module, Function}, Task}, #{options := Options, seed := Seed}) ->
     },
     Names = [
         {transport, transport}, {time, time}, {stats, stats}, {timeout, limit},
-        {boundary_bias, bias}, {max_runs, max_runs}
+        {boundary_bias, bias}, {max_runs, max_runs}, {watch, watch}
     ],
     Given = [{To, maps:get(From, Options)} || {From, To} <- Names, is_map_key(From, Options)],
     maps:merge(Job, maps:from_list(Given)).

@@ -44,6 +44,8 @@
     %% boundary bias of generators, runs of a guided search
     bias => faultcheck_range:bias(),
     max_runs => pos_integer(),
+    %% models that can shall show each test: {faultcheck, watch} in the application environment
+    watch => boolean(),
     %% what workers have found out
     known => faultcheck_known:known()
 }.
@@ -128,9 +130,9 @@ environment(Job, Meta) ->
     lists:foreach(
         fun({App, Key}) -> application:unset_env(App, Key) end,
         [{c_bridge, K} || K <- [force_transport, force_reset, timeout_factor]] ++
-            [{faultcheck, K} || K <- [boundary_bias, max_runs]]
+            [{faultcheck, K} || K <- [boundary_bias, max_runs, watch]]
     ),
-    Named = [{bias, boundary_bias}, {max_runs, max_runs}],
+    Named = [{bias, boundary_bias}, {max_runs, max_runs}, {watch, watch}],
     Ours = [{faultcheck, To, maps:get(From, Job)} || {From, To} <- Named, is_map_key(From, Job)],
     Settings = Transport ++ Ours ++ Given,
     lists:foreach(fun({App, Key, V}) -> application:set_env(App, Key, V) end, Settings).

@@ -25,6 +25,8 @@
 
 %% @doc Does what the options say and answers with the exit status of the program.
 -spec run(request()) -> status().
+run(#{options := #{watch := true, workers := N}} = Request) when N > 1 ->
+    usage("--watch shows one test at a time: leave out --workers", Request);
 run(#{options := Options, places := Places} = Request) ->
     Named = maps:get(module, Options, []),
     case {empty(maps:get(dir, Options), Places), faultcheck_discovery:find(Places, Named)} of

@@ -9,8 +9,6 @@
 -define(USAGE_ERROR, 2).
 -define(CANNOT, 3).
 -define(INTERRUPTED, 130).
-%% Numbers of runs are above those of any player before.
--define(RUN_MASK, 16#3FFFFFFF).
 
 %% @doc Runs the words of the command line and ends the VM with the exit status.
 -spec main() -> no_return().
@@ -137,7 +135,7 @@ server(Options, Token) ->
     #{
         player => #{
             opening => opening(Options),
-            number => erlang:system_time(second) band ?RUN_MASK,
+            number => replay_player:first_number(),
             view => view(),
             token => Token,
             cases => maps:get(cases, Options, faultcheck_case:directory()),

@@ -9,6 +9,7 @@
 -module(replay_player).
 
 -export([open/2, wake/2, next_wake/1, control/4, refresh/1, close/1, mode/1]).
+-export([has_ended/1, first_number/0]).
 -export_type([player/0, options/0, out/0, opening/0]).
 
 -type wall() :: replay_clock:wall().
@@ -61,6 +62,7 @@
 -define(PART_US, 2000000).
 -define(SPARSE_US, 100000).
 -define(FRAME_US, 16667).
+-define(RUN_MASK, 16#3FFFFFFF).
 
 %% ---- opening and closing ----------------------------------------------------------------------
 
@@ -190,8 +192,9 @@ towards(Wanted, Now, #player{run = Run} = P) ->
             {Out, Fresh} = again(T, P),
             {More, Next} = towards(T, Now, Fresh),
             {Out ++ More, Next};
+        %% a run of no length is over before it begins
         T when T =< Reached; P#player.ended ->
-            {[], P#player{target = none}};
+            ended(Now, [], P#player{target = none});
         T when T - Reached > ?PART_US; P#player.target =/= none ->
             sparsely(min(T, Reached + ?PART_US), T, Now, P);
         T ->
@@ -287,6 +290,14 @@ mode_number(replay) -> 2.
 
 flag(true) -> 1;
 flag(false) -> 0.
+
+%% @doc Whether there is nothing more to be seen.
+-spec has_ended(player()) -> boolean().
+has_ended(#player{ended = Ended}) -> Ended.
+
+%% @doc A number for the first run, above those of any player before: seconds of wall time.
+-spec first_number() -> pos_integer().
+first_number() -> erlang:system_time(second) band ?RUN_MASK.
 
 %% @doc Whether a person flies.
 -spec mode(player()) -> live | replay.

@@ -124,6 +124,12 @@ another_ending_differs_and_says_how_test() ->
      || {Ending, Recorded} <- Cases
     ].
 
+a_run_of_no_length_ends_too_test() ->
+    {_, Player} = opened({moving, 0, passed, passed}),
+    {Out, Done} = until(100000, Player),
+    ?assert(replay_player:has_ended(Done)),
+    ?assertMatch(#{verdict := 1, t_us := 0, paused := 1}, status(Out)).
+
 %% ---- what people ask for ----------------------------------------------------------------------
 
 pause_stays_and_play_goes_on_test() ->

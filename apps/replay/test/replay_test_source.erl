@@ -22,8 +22,9 @@ open({named, "other"}) ->
 open(What) ->
     {error, lists:flatten(io_lib:format("there is no ~0tp", [What]))}.
 
-start(S) ->
-    {[event(command, 0, <<"go">>)], S#{now := 0, ending := running, y := 0.0, steer := none}}.
+start(#{duration := Duration, will := Will} = S) ->
+    Ending = case Duration of 0 -> Will; _ -> running end,
+    {[event(command, 0, <<"go">>)], S#{now := 0, ending := Ending, y := 0.0, steer := none}}.
 
 event(Kind, T, Text) ->
     #{kind => atom_to_binary(Kind), t_us => T, a => 0, b => -1, x => 0.0, y => 0.0, text => Text}.

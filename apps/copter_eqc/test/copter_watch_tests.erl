@@ -1,0 +1,63 @@
+%% Tests that are shown while they run: heard over UDP, and the same as those that are not.
+-module(copter_watch_tests).
+-include_lib("eunit/include/eunit.hrl").
+
+-define(PATIENCE, 20000).
+
+-export([few/0]).
+
+few() ->
+    copter_eqc:safe(copter_options:new(#{max_copters => 2, max_faults => 0, configuration => hardened})).
+
+run(Watch) ->
+    Job = #{
+        module => ?MODULE, function => few, task => run, seed => 4711,
+        proper => [{numtests, 2}, quiet], watch => Watch
+    },
+    Result = faultcheck_property:run(Job, counters:new(1, []), fun(_) -> ok end),
+    maps:remove(ms, Result).
+
+watched_tests_are_heard_and_come_to_the_same_test_() ->
+    {timeout, 60, fun() ->
+        {ok, Probe} = gen_udp:open(0, [{ip, {127, 0, 0, 1}}]),
+        {ok, Port} = inet:port(Probe),
+        ok = gen_udp:close(Probe),
+        Url = lists:concat(["127.0.0.1:", Port]),
+        {ok, Lcm} = replay_lcm_udp:open(Url, #{role => listener}),
+        true = os:putenv("LCM_DEFAULT_URL", Url),
+        Unwatched = run(false),
+        Self = self(),
+        {_, Monitor} = spawn_monitor(fun() -> Self ! {result, run(true)} end),
+        Heard = heard(Lcm, []),
+        Watched = receive {result, Result} -> Result after ?PATIENCE -> error(no_result) end,
+        receive {'DOWN', Monitor, _, _, _} -> ok end,
+        true = os:unsetenv("LCM_DEFAULT_URL"),
+        replay_lcm_udp:close(Lcm),
+        application:unset_env(faultcheck, watch),
+        ?assertMatch(#{status := passed}, Unwatched),
+        ?assertEqual(Unwatched, Watched),
+        ?assertEqual([<<"test 1">>, <<"test 2">>],
+                     lists:usort([Id || {case_info, #{case_id := Id}} <- Heard])),
+        Runs = lists:usort([R || {frame, #{run := R}} <- Heard]),
+        ?assertMatch([_, _], Runs),
+        %% each up to its verdict
+        ?assertEqual(Runs, lists:usort([R || {status, #{run := R, verdict := 1}} <- Heard]))
+    end}.
+
+%% Until the second verdict.
+heard(Lcm, Heard) ->
+    case length(lists:usort([R || {status, #{run := R, verdict := 1}} <- Heard])) of
+        2 -> Heard;
+        _ ->
+            receive
+                Info when element(1, Info) =:= udp; element(1, Info) =:= udp_passive ->
+                    case replay_lcm_udp:incoming(Info, Lcm) of
+                        {message, _, Payload, _, Next} ->
+                            {ok, Type, Message} = replay_lcm:decode(Payload),
+                            heard(Next, [{Type, Message} | Heard]);
+                        {none, Next} -> heard(Next, Heard);
+                        unknown -> heard(Lcm, Heard)
+                    end
+            after ?PATIENCE -> error({not_heard, length(Heard)})
+            end
+    end.
