@@ -4,10 +4,13 @@
 
 -export([comfort/0, risk/3, ranges/1]).
 
--define(RADIANS, 0.017453292519943295).
+%% csim_entry_kind
+-define(ENTRY_COPTER, 0).
+-define(ENTRY_LINE, 1).
+-define(ENTRY_COMFORT, 2).
 -define(NO_SPACE, -5).
 -define(NO_ID, -3).
-%% Not less than the structures have.
+%% The sizes of the structures.
 -define(ENTRY_BYTES, 96).
 -define(RANGE_BYTES, 40).
 %% Entries that are asked for at first.
@@ -23,7 +26,7 @@ comfort() ->
             fun(_) -> Radius end;
         false ->
             fun(Id) ->
-                [#{along := Radius} | _] = first(csim_ldm, csim_ldm_entry, ?ENTRY_BYTES, Id, 1),
+                [{?ENTRY_COMFORT, _, _, _, _, Radius, _, _, _} | _] = entries(Id, 1),
                 Radius
             end
     end.
@@ -35,67 +38,86 @@ risk(Id, Now, Lines) ->
     Places = maps:from_list(lists:zip(Lines, lists:seq(0, length(Lines) - 1))),
     [
         ellipse(Entry, Now, Places)
-     || #{kind := Kind} = Entry <- all(csim_ldm, csim_ldm_entry, ?ENTRY_BYTES, Id),
-        Kind =/= 'CSIM_ENTRY_COMFORT'
+     || Entry <- entries(Id, none), element(1, Entry) =/= ?ENTRY_COMFORT
     ].
 
-ellipse(#{kind := Kind, id := Id, stamp_us := Stamp} = Entry, Now, Places) ->
-    #{cx := X, cy := Y, along := Along, across := Across, angle := Angle} = Entry,
-    Of =
+ellipse({Kind, Id, Stamp, X, Y, Along, Across, Angle, Overlap}, Now, Places) ->
+    {About, Age} =
         case Kind of
-            'CSIM_ENTRY_LINE' -> #{about => maps:get(Id, Places), kind => 1, age => 0.0};
-            'CSIM_ENTRY_COPTER' -> #{about => Id, kind => 0, age => (Now - Stamp) / 1.0e6}
+            ?ENTRY_LINE -> {maps:get(Id, Places), 0.0};
+            ?ENTRY_COPTER -> {Id, (Now - Stamp) / 1.0e6}
         end,
-    Of#{
-        overlap => flag(maps:get(overlap, Entry)),
+    #{
+        about => About,
+        kind => Kind,
+        overlap => Overlap,
         x => X,
         y => Y,
         rx => Along,
         ry => Across,
-        theta => radians(Angle)
+        theta => copter_columns:radians(Angle),
+        age => Age
     }.
+
+%% As they stand in memory: csim_ldm_entry.
+entries(Id, Most) ->
+    Bytes = first(csim_ldm, ?ENTRY_BYTES, Id, Most),
+    [
+        entry(Entry)
+     || <<Entry:?ENTRY_BYTES/binary>> <= Bytes
+    ].
+
+entry(<<
+    Kind:32/native, Id:32/signed-native, Stamp:64/native, _Place:16/binary, _Speed:16/binary,
+    X:64/float-native, Y:64/float-native, Along:64/float-native, Across:64/float-native,
+    Angle:64/float-native, Overlap, _/binary
+>>) ->
+    {Kind, Id, Stamp, X, Y, Along, Across, Angle, Overlap};
+entry(<<
+    Kind:32/native, Id:32/signed-native, Stamp:64/native, _Place:16/binary, _Speed:16/binary,
+    X:8/binary, Y:8/binary, Along:8/binary, Across:8/binary, Angle:8/binary, Overlap, _/binary
+>>) ->
+    [Rx, Ry, Ra, Rb, Rt] = [copter_columns:real(B) || B <- [X, Y, Along, Across, Angle]],
+    {Kind, Id, Stamp, Rx, Ry, Ra, Rb, Rt, Overlap}.
 
 %% @doc The latest distance that a copter measured to each anchor.
 -spec ranges(replay_source:id()) -> [replay_source:range()].
 ranges(Id) ->
     [
-        #{anchor => Anchor, measured => Measured, expected => Expected, used => flag(Used)}
-     || #{anchor := Anchor, measured := Measured, expected := Expected, used := Used} <-
-            all(csim_ranges, csim_range, ?RANGE_BYTES, Id)
+        #{
+            anchor => Anchor,
+            measured => copter_columns:real(Measured),
+            expected => copter_columns:real(Expected),
+            used => Used
+        }
+     || <<Anchor:32/signed-native, _:32, Measured:8/binary, Expected:8/binary, Used, _:7/binary,
+          _Time:8/binary>> <= first(csim_ranges, ?RANGE_BYTES, Id, none)
     ].
 
-radians(Degrees) when is_float(Degrees) -> Degrees * ?RADIANS;
-radians(NotFinite) -> NotFinite.
-
-flag(true) -> 1;
-flag(false) -> 0.
-
-%% Of a copter that there is not: nothing.
-all(Function, Type, Bytes, Id) -> first(Function, Type, Bytes, Id, none).
-
-%% The first ones, or all when Most is none.
-first(Function, Type, Bytes, Id, Most) ->
+%% The bytes of the first ones, or of all when Most is none; nothing of a copter that there is not.
+first(Function, Bytes, Id, Most) ->
     #{lib := Lib} = copter_sut:instance(),
     Room =
         case Most of
             none -> ?ROOM;
             _ -> Most
         end,
-    read(Function, {Lib, Type, Bytes}, Id, Room, Most).
+    read(Function, {Lib, Bytes}, Id, Room, Most).
 
-read(Function, {Lib, Type, Bytes} = Kind, Id, Room, Most) ->
-    {ptr, _, At} = Array = cb:create_array(Lib, 'unsigned char', binary:copy(<<0>>, Bytes * Room)),
-    try called(Function, Lib, Id, {ptr, Type, At}, Room) of
+read(Function, {Lib, Bytes} = Kind, Id, Room, Most) ->
+    Array = cb:create_array(Lib, 'unsigned char', binary:copy(<<0>>, Bytes * Room)),
+    try called(Function, Lib, Id, Array, Room) of
         {?NO_SPACE, Count} when Most =:= none -> read(Function, Kind, Id, Count, Most);
-        {?NO_ID, _} -> [];
-        {_, Count} -> cb:read(Lib, {ptr, Type, At}, min(Count, Room))
+        {?NO_ID, _} -> <<>>;
+        {_, Count} -> cb:read_bytes(Lib, Array, Bytes * min(Count, Room))
     after
         cb:free(Lib, Array)
     end.
 
-called(Function, Lib, Id, Buffer, Room) ->
+called(Function, Lib, Id, {ptr, _, At}, Room) ->
     #{sim := Sim, count := Count} = copter_sut:instance(),
+    Type = maps:get(Function, #{csim_ldm => csim_ldm_entry, csim_ranges => csim_range}),
     ok = cb:set(Lib, [Count, 0], Room),
-    Code = cb:call(Lib, Function, [Sim, Id, Buffer, Count]),
+    Code = cb:call(Lib, Function, [Sim, Id, {ptr, Type, At}, Count]),
     [Given] = cb:read(Lib, Count, 1),
     {Code, Given}.

@@ -55,6 +55,11 @@ encode(frame, Message) ->
         {ok, Bytes} -> Bytes;
         unusual -> generic(frame, Message)
     end;
+encode(risk, Message) ->
+    case replay_lcm_risk:encode(Message) of
+        {ok, Bytes} -> Bytes;
+        unusual -> generic(risk, Message)
+    end;
 encode(Type, Message) ->
     generic(Type, Message).
 
