@@ -41,6 +41,9 @@ export function steerPanel(context: Context): SteerPanel {
     class: 'danger',
     title: 'Zero steering of every object, and pause',
   });
+  const restart = button('Restart run', () => viewer.restart(), {
+    title: 'From its beginning, as a new run',
+  });
   const reason = el('p', { class: 'hint' });
   const grid = el('div', { class: 'pad', role: 'group', 'aria-label': 'Steering' }, ...buttons.values());
   const element = el(
@@ -48,7 +51,7 @@ export function steerPanel(context: Context): SteerPanel {
     { class: 'section', 'aria-label': 'Steer' },
     el('h2', {}, 'Steer (live only)'),
     el('div', { class: 'steer' }, grid, readings.element),
-    el('p', { class: 'row' }, stop),
+    el('p', { class: 'row' }, stop, restart),
     reason,
   );
   const showHeld = (): void => {
@@ -59,6 +62,7 @@ export function steerPanel(context: Context): SteerPanel {
     if (!controlAllowed || (pad.keys.size > 0 && observer !== steered)) pad.releaseAll();
     for (const one of buttons.values()) one.disabled = !controlAllowed || observer < 0;
     stop.disabled = !controlAllowed;
+    restart.disabled = !controlAllowed;
     const why = controlReason === '' && observer < 0 ? 'Choose an object first.' : controlReason;
     setText(reason, why);
     setHidden(reason, why === '');

@@ -8,13 +8,14 @@ import { secondsText, speedFactorText } from './format';
 import type { Context, Panel } from './panel';
 
 export interface Transport extends Panel {
+  toStart(): void;
   toggleLoop(): void;
   setSpeed(factor: number): void;
 }
 
 export function transportPanel(context: Context): Transport {
   const { viewer, settings } = context;
-  const restart = iconButton('start', 'To the start (Home)', () => viewer.restart());
+  const start = iconButton('start', 'To the start (Home)', () => toStart());
   const back = iconButton('back', 'One frame back (,)', () => viewer.step(-1));
   const play = iconButton(
     'play',
@@ -40,6 +41,8 @@ export function transportPanel(context: Context): Transport {
   const toLive = button('Go live', () => viewer.toLive());
   const run = el('span', { class: 'aside' });
 
+  // Of a file, as far as it goes back; a player has it all.
+  const toStart = (): void => viewer.seek(viewer.state.connection.kind === 'file' ? viewer.state.fromUs : 0);
   let lastLoop: { fromUs: number; toUs: number } | null = null;
   const toggleLoop = (): void => {
     const { loop: now, fromUs, toUs } = viewer.state;
@@ -58,7 +61,7 @@ export function transportPanel(context: Context): Transport {
     'div',
     { class: 'transport', role: 'toolbar', 'aria-label': 'Playback' },
     ...[
-      restart,
+      start,
       back,
       play,
       next,
@@ -76,8 +79,7 @@ export function transportPanel(context: Context): Transport {
   const update = (): void => {
     const { state } = viewer;
     const empty = state.frame === null;
-    for (const control of [restart, back, play, next, loop, previousEvent, nextEvent])
-      control.disabled = empty;
+    for (const control of [start, back, play, next, loop, previousEvent, nextEvent]) control.disabled = empty;
     showPlaying(play, state.playing);
     setText(time, empty ? '–' : timeText(state.tUs, state.durationUs, state.status?.mode === Mode.live));
     setOptions(speed, speedOptions(state.speed), String(state.speed));
@@ -99,6 +101,7 @@ export function transportPanel(context: Context): Transport {
     topics: ['time', 'playback', 'status', 'buffer', 'source'],
     everyMs: 33,
     update,
+    toStart,
     toggleLoop,
     setSpeed,
   };

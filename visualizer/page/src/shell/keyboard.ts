@@ -61,8 +61,8 @@ function perform(action: Action, context: Context, targets: KeyTargets): void {
       if (state.playing) viewer.pause();
       else viewer.play();
       return;
-    case 'restart':
-      viewer.restart();
+    case 'start':
+      targets.transport.toStart();
       return;
     case 'end':
       if (state.behindS > 0) viewer.toLive();

@@ -15,7 +15,7 @@ describe('keys', () => {
     ['ArrowRight', false, { do: 'seconds', by: 0.1 }],
     ['ArrowLeft', true, { do: 'seconds', by: -1 }],
     ['ArrowRight', true, { do: 'seconds', by: 1 }],
-    ['Home', false, { do: 'restart' }],
+    ['Home', false, { do: 'start' }],
     ['End', false, { do: 'end' }],
     ['[', false, { do: 'event', by: -1 }],
     [']', false, { do: 'event', by: 1 }],

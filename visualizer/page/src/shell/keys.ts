@@ -3,7 +3,7 @@
 import { layerNames } from './settings';
 
 export type Action =
-  | { do: 'playPause' | 'restart' | 'end' | 'slower' | 'faster' | 'loop' | 'follow' | 'fit' | 'measure' }
+  | { do: 'playPause' | 'start' | 'end' | 'slower' | 'faster' | 'loop' | 'follow' | 'fit' | 'measure' }
   | { do: 'dark' | 'picture' | 'report' | 'help' | 'clear' }
   | { do: 'frames' | 'event' | 'zoom' | 'object'; by: 1 | -1 }
   | { do: 'seconds'; by: number }
@@ -47,7 +47,7 @@ const plain: ReadonlyMap<string, Action> = new Map<string, Action>([
   [' ', { do: 'playPause' }],
   [',', { do: 'frames', by: -1 }],
   ['.', { do: 'frames', by: 1 }],
-  ['Home', { do: 'restart' }],
+  ['Home', { do: 'start' }],
   ['End', { do: 'end' }],
   ['[', { do: 'event', by: -1 }],
   [']', { do: 'event', by: 1 }],
