@@ -60,21 +60,7 @@ export function transportPanel(context: Context): Transport {
   const element = el(
     'div',
     { class: 'transport', role: 'toolbar', 'aria-label': 'Playback' },
-    ...[
-      start,
-      back,
-      play,
-      next,
-      time,
-      speed,
-      loop,
-      previousEvent,
-      nextEvent,
-      stopLabel,
-      behind,
-      toLive,
-      run,
-    ],
+    ...[start, back, play, next, time, speed, loop, previousEvent, nextEvent, stopLabel, behind, toLive, run],
   );
   const update = (): void => {
     const { state } = viewer;

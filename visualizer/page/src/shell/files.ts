@@ -4,7 +4,12 @@ import { el } from './dom';
 
 // Opens the browser's dialog for a file.
 export function filePicker(onFile: (file: File) => void): { element: HTMLElement; open(): void } {
-  const input = el('input', { type: 'file', accept: '.lcm,.html', hidden: true, 'aria-label': 'File' });
+  const input = el('input', {
+    type: 'file',
+    accept: '.lcm,.html',
+    hidden: true,
+    'aria-label': 'A log or a report',
+  });
   input.addEventListener('change', () => {
     const file = input.files?.[0];
     input.value = '';

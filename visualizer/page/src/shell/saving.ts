@@ -10,7 +10,7 @@ import type { Outside } from './parts';
 import { fileName, pageText, report } from './report';
 
 export async function openFile(context: Context, file: File): Promise<void> {
-  await attempt(context, async () => {
+  await attempt(context, file.name, async () => {
     const bytes = /\.html?$/i.test(file.name)
       ? await logInReport(await file.text(), file.name)
       : await file.arrayBuffer();
@@ -27,7 +27,7 @@ export async function openCase(context: Context, outside: Outside, id: string): 
     if (ack.ok) return;
     context.notify(`${refusalLine('load', ack.text)}; opened as a file`, true);
   }
-  await attempt(context, async () => {
+  await attempt(context, `case ${id}`, async () => {
     if (outside.fetchCase === undefined) throw new Error(`case ${id}: there is no bridge to fetch it from`);
     await viewer.openLog(await outside.fetchCase(id), id);
   });
@@ -36,7 +36,7 @@ export async function openCase(context: Context, outside: Outside, id: string): 
 export async function saveReport(context: Context): Promise<void> {
   const { state } = context.viewer;
   if (state.frame === null) return;
-  await attempt(context, async () => {
+  await attempt(context, 'report', async () => {
     const title = state.caseInfo === null ? 'recording' : caseTitle(state.caseInfo);
     const text = await report(pageText(document), title, context.viewer.held());
     const name = fileName(state.caseInfo?.caseId ?? '', '.html');
@@ -46,7 +46,7 @@ export async function saveReport(context: Context): Promise<void> {
 }
 
 export async function savePicture(context: Context): Promise<void> {
-  await attempt(context, async () => {
+  await attempt(context, 'screenshot', async () => {
     const { caseInfo, tUs } = context.viewer.state;
     const name = fileName(`${caseInfo?.caseId ?? 'map'}_${secondsText(tUs, 2)}s`, '.png');
     const picture = await context.map()?.picture();
@@ -56,11 +56,13 @@ export async function savePicture(context: Context): Promise<void> {
   });
 }
 
-async function attempt(context: Context, work: () => Promise<void>): Promise<void> {
+// `what' begins the line, where the line does not say it itself.
+async function attempt(context: Context, what: string, work: () => Promise<void>): Promise<void> {
   try {
     await work();
   } catch (error) {
-    context.notify(error instanceof Error ? error.message : String(error), true);
+    const line = error instanceof Error ? error.message : String(error);
+    context.notify(line.startsWith(what) ? line : `${what}: ${line}`, true);
   }
 }
 
