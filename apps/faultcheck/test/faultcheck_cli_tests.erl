@@ -25,7 +25,10 @@ usage_test_() ->
             {"too few words", ["replay"], 2, "Usage: faultcheck replay CASE"},
             {"unknown option", ["proper", "--nmtests", "5"], 2, "did you mean --numtests?"},
             {"bad value", ["proper", "-n", "many"], 2, "must be a whole number from 1, not many"},
-            {"a case that is not there", ["replay", "no/such"], 2, "no case no/such"}
+            {"a case that is not there", ["replay", "no/such"], 2, "no case no/such"},
+            {"help of export", ["export", "--help"], 0, "--at SECONDS"},
+            {"an export without a format", ["export", "c"], 2, "--mcap, --csv or --svg"},
+            {"an export of no case", ["export", "no/such", "--csv"], 2, "no case no/such"}
         ]
     ].
 
@@ -65,6 +68,12 @@ project_test_() ->
                 finds(Dir)
             end}},
             {timeout, 60, {"a folder with a property alone", fun() -> alone(Dir) end}},
+            {timeout, 60, {"a model's page is written and told, and it exports", fun() ->
+                page(Dir)
+            end}},
+            {timeout, 60, {"a page that cannot be made leaves the case", fun() ->
+                no_page(Dir)
+            end}},
             {timeout, 60, {"a damaged case is one line", fun() -> damaged(Dir) end}},
             {timeout, 60, {"a model that does not compile is status 3", fun() -> broken(Dir) end}},
             {timeout, 60, {"SIGINT ends with 130 and leaves no process", fun() ->
@@ -124,6 +133,55 @@ finds(Dir) ->
     {{exit, 0}, _} = program(Dir, ["proper", "-m", "prop_ring", "--seed", "2"]),
     {{exit, 0}, Differs} = program(Dir, ["replay", Name]),
     has("differs from the record", Differs).
+
+%% Fails at once; its report and its export are the functions given.
+paged(Module, Functions) ->
+    [
+        "-module(", Module, ").\n-include_lib(\"faultcheck/include/faultcheck.hrl\").\n",
+        "-export([report/2, export/3]).\n", Module, "() ->\n"
+        "    ?FORALL(Commands, commands(?MODULE), begin\n"
+        "        {_, _, Result} = run_commands(?MODULE, Commands), Result =:= ok end).\n"
+        "initial_state() -> none.\n"
+        "step_args(_) -> [].\n"
+        "step() -> 1.\n"
+        "step_post(_, [], Result) -> Result =:= 2.\n" | Functions
+    ].
+
+page(Dir) ->
+    Functions =
+        "report(_, Dir) ->\n"
+        "    ok = faultcheck_case:add_file(Dir, \"report.html\", \"a page\"),\n"
+        "    #{report => \"report.html\", watch => true, notes => [\"a note\"]}.\n"
+        "export(_, Dir, #{format := csv}) ->\n"
+        "    ok = faultcheck_case:add_file(Dir, \"x.csv\", \"1\"),\n"
+        "    {ok, [filename:join(Dir, \"x.csv\")]};\n"
+        "export(_, _, _) -> {error, \"only lines\"}.\n",
+    ok = file:write_file(
+        filename:join([Dir, "test", "prop_page.erl"]), paged("prop_page", Functions)
+    ),
+    {{exit, 1}, Text} = program(Dir, ["proper", "-m", "prop_page"]),
+    [Case] = filelib:wildcard("cases/prop_page-*", Dir),
+    has("report: " ++ Case ++ "/report.html", Text),
+    has("watch: faultcheck play " ++ Case, Text),
+    has("note: a note", Text),
+    File = filename:join([Dir, Case, "report.html"]),
+    ok = file:delete(File),
+    {{exit, 0}, Again} = program(Dir, ["report", Case]),
+    has("report: " ++ Case ++ "/report.html", Again),
+    ?assertEqual({ok, <<"a page">>}, file:read_file(File)),
+    {{exit, 0}, Written} = program(Dir, ["export", Case, "--csv"]),
+    has("written: " ++ Case ++ "/x.csv", Written),
+    {{exit, 2}, Refused} = program(Dir, ["export", Case, "--mcap"]),
+    has("export: only lines", Refused).
+
+no_page(Dir) ->
+    Functions = "report(_, _) -> error(no_paper).\nexport(_, _, _) -> {ok, []}.\n",
+    ok = file:write_file(
+        filename:join([Dir, "test", "prop_no_page.erl"]), paged("prop_no_page", Functions)
+    ),
+    {{exit, 1}, Text} = program(Dir, ["proper", "-m", "prop_no_page"]),
+    has("note: report/2 of the model failed: error:no_paper", Text),
+    [_] = filelib:wildcard("cases/prop_no_page-*/case.json", Dir).
 
 alone(Dir) ->
     Alone = filename:join(Dir, "alone"),
