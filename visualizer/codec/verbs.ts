@@ -30,6 +30,14 @@ export const verbs: Readonly<Record<string, Rule>> = {
   speed: { ...nothing, args: [{ name: 'factor', min: 0.05, max: 20 }] },
   step: { ...nothing, args: [{ name: 'frames', min: -100_000, max: 100_000, whole: true }] },
   seek: { ...nothing, args: [{ name: 'seconds', min: 0, max: 1e6 }] },
+  // a part to be repeated; one of no length ends that
+  loop: {
+    ...nothing,
+    args: [
+      { name: 'from (s)', min: 0, max: 1e6 },
+      { name: 'to (s)', min: 0, max: 1e6 },
+    ],
+  },
   observe: { ...nothing, object: 'one or all' },
   load: { ...nothing, text: 'case', args: [{ name: 'original', min: 0, max: 1, whole: true }] },
   steer: {

@@ -7,7 +7,9 @@
 
 %% Which copters have a flag, ascending.
 -type marks() :: #{
-    collided := [replay_source:id()], faulted := [replay_source:id()], manual := [replay_source:id()]
+    collided := [replay_source:id()],
+    faulted := [replay_source:id()],
+    manual := [replay_source:id()]
 }.
 %% m, radius of a copter's comfort zone
 -type comfort() :: fun((replay_source:id()) -> number()).
@@ -34,7 +36,8 @@ objects(Marks, Comfort) ->
             Read = fun(Name, From) -> cb:read_bytes(Lib, maps:get(Name, From), 8 * Count) end,
             Id = cb:read_bytes(Lib, Ids, 4 * Count),
             Override = cb:read_bytes(Lib, Active, Count),
-            True = [Read(N, View) || N <- [px, py, pz, vx, vy, roll, pitch, yaw, set_roll, set_pitch]],
+            Names = [px, py, pz, vx, vy, roll, pitch, yaw, set_roll, set_pitch],
+            True = [Read(N, View) || N <- Names],
             Believed = [Read(N, Perceived) || N <- [px, py, pz, vx, vy]],
             rows(Id, Override, True ++ Believed, {Marks, Comfort})
     end.

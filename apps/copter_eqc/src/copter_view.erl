@@ -118,8 +118,10 @@ of_case(Case, Which, #{dt_us := Dt} = Settings, Recorded) ->
 
 recorded_in(Origin, Which) ->
     case Origin of
-        #{<<"x_endings">> := Endings} -> read_ending(maps:get(atom_to_binary(Which), Endings, null));
-        _ -> any_failure
+        #{<<"x_endings">> := Endings} when is_map(Endings) ->
+            read_ending(maps:get(atom_to_binary(Which), Endings, null));
+        _ ->
+            any_failure
     end.
 
 read_ending(null) -> any_failure;

@@ -21,9 +21,12 @@
 of_view(#{'case' := Case, live := Live, recorded := Recorded} = About) ->
     {object,
         [{summary, {text, summary(About)}}] ++
-            [{shrink_steps, Tries} || is_map(Case), {ok, Tries} <- [maps:find(tries, maps:get(shrink, Case))]] ++
+            [{shrink_steps, Tries} || Tries <- tries(Case)] ++
             [{recorded, {text, Text}} || Text <- recorded(Recorded)] ++
             lists:append([injectable(About) || Live])}.
+
+tries(#{shrink := #{tries := Tries}}) -> [Tries];
+tries(_) -> [].
 
 summary(#{copters := Copters, dt_us := Dt}) ->
     Number =

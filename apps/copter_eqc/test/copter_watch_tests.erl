@@ -7,7 +7,8 @@
 -export([few/0]).
 
 few() ->
-    copter_eqc:safe(copter_options:new(#{max_copters => 2, max_faults => 0, configuration => hardened})).
+    Changes = #{max_copters => 2, max_faults => 0, configuration => hardened},
+    copter_eqc:safe(copter_options:new(Changes)).
 
 run(Watch) ->
     Job = #{

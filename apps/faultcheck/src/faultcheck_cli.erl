@@ -52,7 +52,7 @@ run(["export" | Words]) ->
         {error, Line} -> say("~ts~n", [Line], ?USAGE_ERROR)
     end;
 run([Word | _]) ->
-    Words = ["new", "proper", "replay", "report", "export", "version", "help"],
+    Words = ["new", "proper", "replay", "play", "report", "export", "version", "help"],
     case lists:member(Word, Words) of
         true -> say("~ts: wrong arguments; ~ts~n", [Word, synopsis(Word)], ?USAGE_ERROR);
         false -> unknown(Word, Words)
@@ -69,6 +69,7 @@ usage() ->
     "  new DIR                     make a project: a C file with a bug and a model that finds it\n"
     "  proper [options]            run the properties of the project here\n"
     "  replay CASE [--original]    run a stored case again, each command with its result\n"
+    "  play CASE [options]         play a stored case or a live flight for the visualizer\n"
     "  report CASE                 print a stored case; its model writes report.html anew\n"
     "  export CASE --mcap|--csv|--svg\n"
     "                              write a stored case for other programs\n"
@@ -109,6 +110,7 @@ usage(_) ->
 synopsis("new") -> "Usage: faultcheck new DIR";
 synopsis("proper") -> "Usage: faultcheck proper [options]";
 synopsis("replay") -> "Usage: faultcheck replay CASE [--original]";
+synopsis("play") -> "Usage: faultcheck play [CASE] [options] (see faultcheck play --help)";
 synopsis("report") -> "Usage: faultcheck report CASE";
 synopsis("export") ->
     "Usage: faultcheck export CASE --mcap|--csv|--svg [--at SECONDS] [--out FILE]";

@@ -34,8 +34,8 @@ failed(Line, Status) ->
 
 usage() ->
     "Usage: faultcheck play [CASE] [options]\n\n"
-    "Plays a stored case, or a live simulation, as LCM messages: for the visualizer's bridge, and for\n"
-    "standard LCM tools. CASE is a folder below cases/; without it an example is played.\n\n"
+    "Plays a stored case, or a live simulation, as LCM messages: for the visualizer's bridge, and\n"
+    "for standard LCM tools. CASE is a folder below cases/; without it an example is played.\n\n"
     "  --original             the failure as it was found, before it was shrunk\n"
     "  --live                 a live flight in an empty world, to be steered from a page\n"
     "  --scenario FILE        the same in the world of a scenario file\n"
@@ -49,7 +49,8 @@ usage() ->
     "  --token-file FILE      shared with the bridge; whoever comes first makes it\n"
     "  --allow-network        take a URL with ttl > 0\n\n"
     "Ctrl-C ends it; a live flight is stored as a case then.\n"
-    "Exit status: 2 wrong usage or input, 3 an address or a file cannot be used, 130 interrupted.\n".
+    "Exit status: 2 wrong usage or input, 3 an address or a file cannot be used, 130\n"
+    "interrupted.\n".
 
 %% ---- options ----------------------------------------------------------------------------------
 

@@ -126,7 +126,8 @@ perform_one({log, Line}, #state{say = Say} = State) ->
     _ = Say(Line),
     State;
 perform_one({store, Case, Files}, State) ->
-    ok = stored(Case, Files, fun(Dir, Say) -> spawn_link(fun() -> recorded(Dir, Say) end) end, State),
+    Aside = fun(Dir, Say) -> spawn_link(fun() -> recorded(Dir, Say) end) end,
+    ok = stored(Case, Files, Aside, State),
     State.
 
 failed(Line, #state{failure = Line} = State) ->

@@ -6,7 +6,8 @@
 -module(replay_run).
 
 -export([new/3, start/1, advance/2, show/3, again/1, changed/1]).
--export([source/1, with_source/2, module_of/1, number/1, observer/1, chosen/1, observe/2, told/2, act/2]).
+-export([source/1, with_source/2, module_of/1, number/1, told/2, act/2]).
+-export([observer/1, chosen/1, observe/2]).
 -export_type([run/0, message/0, pace/0, status/0]).
 
 -type message() :: {replay_lcm:type(), replay_lcm:message()}.

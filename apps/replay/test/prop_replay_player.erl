@@ -15,8 +15,8 @@
 %% The model adds up what each moment brings. The clock cuts to whole us whenever it is touched.
 prop_clock_counts() ->
     ?FORALL(Script, list({delay(), clock_call()}), begin
-        {Difference, _, _, _} = lists:foldl(fun count/2, {0.0, 0, replay_clock:new(?LIMIT), model()},
-                                            Script),
+        Start = {0.0, 0, replay_clock:new(?LIMIT), model()},
+        {Difference, _, _, _} = lists:foldl(fun count/2, Start, Script),
         ?WHENFAIL(io:format("off by ~p us~n", [Difference]), Difference =< length(Script) + 1)
     end).
 

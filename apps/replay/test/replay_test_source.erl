@@ -72,9 +72,11 @@ faults(#{faults := Faults}) -> Faults.
 faults_key(#{faults := Faults}) -> length(Faults).
 observer(_) -> 0.
 fork(#{ending := Ending} = S) ->
-    S#{live := true, duration := unknown, ending := case Ending of passed -> running; _ -> Ending end}.
+    Goes = case Ending of passed -> running; _ -> Ending end,
+    S#{live := true, duration := unknown, ending := Goes}.
 
-act({steer, 0, _, _, _} = Steer, S) -> {ok, [event(command, now(S), <<"steer">>)], S#{steer := Steer}};
+act({steer, 0, _, _, _} = Steer, S) ->
+    {ok, [event(command, now(S), <<"steer">>)], S#{steer := Steer}};
 act({release, 0}, S) -> {ok, [event(command, now(S), <<"release">>)], S#{steer := none}};
 act(stop_all, S) -> {ok, [], S#{steer := none}};
 act({set, -1, <<"y">>, Y}, S) -> {ok, [], S#{y := Y}};
