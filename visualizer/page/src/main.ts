@@ -5,6 +5,7 @@ import { timeSvg } from './curves/time_svg';
 import { createMap } from './map/map_view';
 import { createTimeAxis } from './model/time_axis';
 import { mountShell } from './shell/shell';
+import { saveSvg } from './shell/saving';
 import { createSettings } from './shell/settings';
 import { browserViewer, bridgeUrl } from './source/browser';
 import { fetchCase, listCases } from './source/case_list';
@@ -33,9 +34,10 @@ async function begin(root: HTMLElement): Promise<void> {
   const map = createMap(shell.mapHost, viewer, settings);
   const axis = createTimeAxis();
   const timeline = createTimeline(shell.timelineHost, viewer, axis);
-  const curves = createCurves(shell.curvesHost, viewer, axis);
+  const curves = createCurves(shell.curvesHost, viewer, axis, () => {
+    saveSvg(viewer.state, 'curves', timeSvg(timeline, curves, viewer), shell.notify);
+  });
   shell.attachMap(map);
-  shell.attachCurves?.({ svg: () => timeSvg(timeline, curves, viewer) });
   viewer.onRefusal((line) => shell.notify(line, true));
   followFragment(viewer, window);
   if (__VIZ_TEST__) window.__viz = { stats: () => map.stats(), state: () => viewer.state, viewer };

@@ -128,6 +128,8 @@ it('axes of errors begin at zero, others leave room', () => {
   const [low, high] = axisRange(-2, 8, false);
   expect([low < -2, high > 8]).toEqual([true, true]);
   expect(axisRange(null, null, true)).toEqual([0, 1]);
+  const [least, most] = axisRange(1e38, 1e38, false);
+  expect(most).toBeGreaterThan(least);
 });
 
 it("each object has all curves of a group, the observer's first", () => {

@@ -11,7 +11,7 @@ import { currentPalette, onThemeChange } from '../map/theme_watch';
 import { failureUs } from '../model/event_log';
 import type { TimeAxis } from '../model/time_axis';
 import type { Topic, Viewer } from '../model/viewer';
-import { el, setText } from '../shell/dom';
+import { button, el, setText } from '../shell/dom';
 import { type PlotArea, plotWidth, timeToX } from '../timeline/plot_area';
 import { drawCurves } from './curves_picture';
 import { decimate, type Points } from './decimate';
@@ -28,8 +28,9 @@ export interface Curves {
 const DRAW_EVERY_MS = 200;
 const NUMBERS_EVERY_MS = 200;
 
-export function createCurves(host: HTMLElement, viewer: Viewer, axis: TimeAxis): Curves {
-  return new UplotCurves(host, viewer, axis);
+// `save': what the button for saving timeline and curves as a picture does.
+export function createCurves(host: HTMLElement, viewer: Viewer, axis: TimeAxis, save: () => void): Curves {
+  return new UplotCurves(host, viewer, axis, save);
 }
 
 class UplotCurves implements Curves {
@@ -51,13 +52,15 @@ class UplotCurves implements Curves {
     host: HTMLElement,
     private readonly viewer: Viewer,
     private readonly axis: TimeAxis,
+    save: () => void,
   ) {
     this.chart.append(this.head);
+    const saver = button('SVG', save, { class: 'curves-tab', title: 'Save timeline and curves as SVG' });
     host.append(
       el(
         'div',
         { class: 'curves' },
-        el('div', { class: 'curves-strip' }, this.tabs, this.legend),
+        el('div', { class: 'curves-strip' }, this.tabs, this.legend, saver),
         this.chart,
       ),
     );
@@ -80,7 +83,7 @@ class UplotCurves implements Curves {
       name: this.name(curve),
       points: points[index] ?? [],
     }));
-    const height = Math.max(this.chart.clientHeight, 160);
+    const height = Math.max(this.chart.clientHeight, 160) + 40; // room for the legend
     drawCurves(surface, {
       area,
       top,

@@ -19,7 +19,9 @@ export interface CurvesPicture {
   readonly endsS: readonly number[];
 }
 
-const LEGEND = 22;
+const LEGEND = 22; // a line of it
+const SAMPLE_PX = 22;
+const LETTER_PX = 6.2;
 const BELOW = 24; // marks of time
 
 export function drawCurves(surface: Surface, picture: CurvesPicture): void {
@@ -56,8 +58,9 @@ function plotBottom({ top, height }: CurvesPicture): number {
   return top + height - BELOW;
 }
 
-function plotTop({ top }: CurvesPicture): number {
-  return top + LEGEND;
+function plotTop(picture: CurvesPicture): number {
+  const lines = Math.max(0, ...legendOf(picture).places.map((place) => place.line)) + 1;
+  return picture.top + LEGEND * lines;
 }
 
 function drawTimes(surface: Surface, picture: CurvesPicture): void {
@@ -135,20 +138,52 @@ function drawEnds(surface: Surface, picture: CurvesPicture): void {
   surface.setLineDash([]);
 }
 
-function drawLegend(surface: Surface, picture: CurvesPicture): void {
-  const { palette, group, top } = picture;
+// Where each name goes: from left to right, on further lines when one is full.
+function legendPlaces(width: number, names: readonly string[], begin: number): { x: number; line: number }[] {
+  let x = begin;
+  let line = 0;
+  return names.map((name) => {
+    const size = SAMPLE_PX + name.length * LETTER_PX + 19;
+    if (x + size > width && x > LEFT) {
+      x = LEFT;
+      line += 1;
+    }
+    const place = { x, line };
+    x += size;
+    return place;
+  });
+}
+
+function legendOf({ area, group, curves }: CurvesPicture): {
+  units: string;
+  places: { x: number; line: number }[];
+} {
   const units = group.rightUnit === '' ? group.leftUnit : `${group.leftUnit}; right: ${group.rightUnit}`;
+  const begin = LEFT + units.length * 5;
+  return {
+    units,
+    places: legendPlaces(
+      area.width,
+      curves.map(({ name }) => name),
+      begin,
+    ),
+  };
+}
+
+function drawLegend(surface: Surface, picture: CurvesPicture): void {
+  const { palette, top, curves } = picture;
+  const { units, places } = legendOf(picture);
   text(surface, palette, 'left');
   surface.fillText(units, 6, top + LEGEND / 2);
-  let x = LEFT + units.length * 5 + 30;
-  for (const { curve, name } of picture.curves) {
+  curves.forEach(({ curve, name }, index) => {
+    const { x, line: row } = places[index] ?? { x: LEFT, line: 0 };
+    const y = top + LEGEND * (row + 0.5);
     surface.beginPath();
-    surface.moveTo(x, top + LEGEND / 2);
-    surface.lineTo(x + 22, top + LEGEND / 2);
+    surface.moveTo(x, y);
+    surface.lineTo(x + SAMPLE_PX, y);
     line(surface, curve);
-    surface.fillText(name, x + 27, top + LEGEND / 2);
-    x += 27 + name.length * 6.2 + 14;
-  }
+    surface.fillText(name, x + SAMPLE_PX + 5, y);
+  });
 }
 
 function text(surface: Surface, palette: Palette, align: CanvasTextAlign): void {

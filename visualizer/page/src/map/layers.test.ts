@@ -4,7 +4,7 @@ import { anObject } from '../model/testing';
 import { drawMovingLayers } from './moving_layers';
 import { OBJECT_COLORS } from './palette';
 import type { Scene } from './scene';
-import { drawStaticLayers } from './static_layers';
+import { drawStaticLayers, gridLines } from './static_layers';
 import { SvgSurface } from './svg_surface';
 import { aScene, withLayers } from './testing';
 
@@ -169,6 +169,12 @@ describe('what does not move', () => {
     expect(all).toContain('d="M100 150L300 150"');
     expect(texts(all)).toEqual(['field', 'Anchor 4', '1 m']);
     expect(texts(still(aScene([], { world })))).toEqual(['1 m']);
+  });
+
+  it('grid lines are multiples of their step, and none where numbers are too coarse', () => {
+    expect(gridLines(-1.2, 2.1, 1)).toEqual([-1, 0, 1, 2]);
+    expect(gridLines(1e30, 1e30 + 5, 1)).toEqual([]);
+    expect(gridLines(Number.NaN, 1, 1)).toEqual([]);
   });
 
   it('the scale bar is as long as it says', () => {

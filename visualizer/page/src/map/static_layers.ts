@@ -9,6 +9,7 @@ import type { Surface } from './surface';
 import { roundLength, screenX, screenY, type View, worldX, worldY } from './view';
 
 const GRID_PX = 40; // least distance of grid lines
+const MOST_LINES = 1000;
 const ANCHOR_NAME_PX = 75;
 const SCALE_BAR_PX = 120; // longest
 
@@ -23,11 +24,13 @@ export function drawStaticLayers(surface: Surface, scene: Scene): void {
   drawScaleBar(surface, scene.view, scene.palette);
 }
 
-// Coordinates (m) of grid lines between two.
+// Coordinates (m) of grid lines between two. So far away from the origin that numbers are coarser than
+// the steps there are none: data may be anything.
 export function gridLines(from: number, to: number, step: number): number[] {
-  const lines: number[] = [];
-  for (let n = Math.ceil(from / step); n * step <= to; n++) lines.push(n * step);
-  return lines;
+  const first = Math.ceil(from / step);
+  const count = Math.floor(to / step) - first + 1;
+  if (!(count > 0) || !Number.isSafeInteger(first)) return [];
+  return Array.from({ length: Math.min(count, MOST_LINES) }, (_, n) => (first + n) * step);
 }
 
 function drawBackground(surface: Surface, { view, palette }: Scene): void {

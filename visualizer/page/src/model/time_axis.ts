@@ -62,13 +62,13 @@ export function createTimeAxis(): TimeAxis {
   };
 }
 
-// Times at which an axis has its marks: multiples of 1, 2 or 5 times a power of ten, in seconds,
-// at least `atLeastUs` apart.
+// Where an axis has its marks: multiples of 1, 2 or 5 times a power of ten, at least `atLeastUs` (> 0)
+// apart. Axes of values use it as well, in their own unit.
 export function marks(span: Span, atLeastUs: number): { timesUs: number[]; stepUs: number } {
-  const power = 10 ** Math.floor(Math.log10(Math.max(atLeastUs, 1)));
+  const power = 10 ** Math.floor(Math.log10(atLeastUs));
   const stepUs = power * ([1, 2, 5, 10].find((factor) => factor * power >= atLeastUs) ?? 10);
   const timesUs: number[] = [];
-  for (let t = Math.ceil(span.fromUs / stepUs) * stepUs; t <= span.toUs; t += stepUs) timesUs.push(t);
+  for (let n = Math.ceil(span.fromUs / stepUs); n * stepUs <= span.toUs; n++) timesUs.push(n * stepUs);
   return { timesUs, stepUs };
 }
 

@@ -13,6 +13,7 @@ export interface HeaderActions {
   open(): void;
   report(): void;
   picture(): void;
+  vector(): void;
   theme(): void;
   help(): void;
   drawer(side: 'left' | 'right'): HTMLButtonElement['ariaExpanded'];
@@ -45,6 +46,7 @@ export function headerPanel(context: Context, actions: HeaderActions): Panel {
     title: 'Save one HTML file with the page and what it holds (R)',
   });
   const picture = button('Screenshot', actions.picture, { title: 'Save the map as PNG (P)' });
+  const vector = button('SVG', actions.vector, { title: 'Save the map as SVG, to be enlarged without loss' });
   const element = el(
     'header',
     { class: 'header' },
@@ -58,6 +60,7 @@ export function headerPanel(context: Context, actions: HeaderActions): Panel {
     button('Open…', actions.open, { title: 'Open a log (.lcm) or a report (.html)' }),
     reportButton,
     picture,
+    vector,
     withIcon('theme', 'Dark or light (D)', actions.theme),
     button('?', actions.help, { class: 'icon-button', 'aria-label': 'Keys (?)', title: 'Keys (?)' }),
     drawerButton('right', 'Object and control', actions),
@@ -74,7 +77,7 @@ export function headerPanel(context: Context, actions: HeaderActions): Panel {
     const tone = toneOf(state);
     for (const one of ['good', 'warn', 'bad', 'none']) setClass(dot, one, one === tone);
     setText(connection, connectionText(state, rate.of(viewer)));
-    for (const one of [reportButton, picture]) one.disabled = state.frame === null;
+    for (const one of [reportButton, picture, vector]) one.disabled = state.frame === null;
   };
   return { element, topics: ['source', 'status', 'case', 'buffer', 'time'], everyMs: 200, update };
 }

@@ -16,17 +16,11 @@ export interface MapControls {
   svg(): string; // the same as an SVG document
 }
 
-// What the shell asks of timeline and curves.
-export interface CurveControls {
-  svg(): string; // both as one SVG document, for the span of time that is seen
-}
-
 export interface Shell {
   readonly mapHost: HTMLElement; // position: relative; the map fills it
   readonly timelineHost: HTMLElement; // above the curves, same width
   readonly curvesHost: HTMLElement;
   attachMap(map: MapControls): void;
-  attachCurves?(curves: CurveControls): void;
   notify(line: string, bad?: boolean): void; // one line, for some seconds
 }
 

@@ -4,6 +4,7 @@ import type { Context } from '../panels/panel';
 import { caseTitle } from '../panels/header';
 import { secondsText } from '../panels/format';
 import { refusalLine } from '../model/pending_control';
+import type { ViewerState } from '../model/viewer';
 import { embeddedLog } from '../source/embedded_log';
 import { save } from './files';
 import type { Outside } from './parts';
@@ -54,6 +55,26 @@ export async function savePicture(context: Context): Promise<void> {
     save(name, picture);
     context.notify(`saved ${name}`);
   });
+}
+
+export async function saveMapSvg(context: Context): Promise<void> {
+  await attempt(context, 'SVG', async () => {
+    const map = context.map();
+    if (map === null) throw new Error('there is no map to save');
+    saveSvg(context.viewer.state, 'map', map.svg(), context.notify);
+  });
+}
+
+// Saves a drawing as a file that is named after case, moment and what it shows.
+export function saveSvg(
+  { caseInfo, tUs }: Pick<ViewerState, 'caseInfo' | 'tUs'>,
+  what: string,
+  document: string,
+  notify: (line: string) => void,
+): void {
+  const name = fileName(`${caseInfo?.caseId ?? 'run'}_${what}_${secondsText(tUs, 2)}s`, '.svg');
+  save(name, new Blob([document], { type: 'image/svg+xml' }));
+  notify(`saved ${name}`);
 }
 
 // `what' begins the line, where the line does not say it itself.

@@ -31,7 +31,7 @@ import { listenToKeys } from './keyboard';
 import { notices } from './notices';
 import { alarmOf, showAlarm } from './page_icon';
 import type { MapControls, MountShell } from './parts';
-import { openCase, openFile, savePicture, saveReport } from './saving';
+import { openCase, openFile, saveMapSvg, savePicture, saveReport } from './saving';
 import { followTheme, otherTheme } from './theme';
 
 export const mountShell: MountShell = (root, viewer, settings, outside) => {
@@ -50,6 +50,7 @@ export const mountShell: MountShell = (root, viewer, settings, outside) => {
     open: picker.open,
     report,
     picture,
+    vector: () => void saveMapSvg(context),
     theme,
     help: () => help.showModal(),
     drawer: columns.toggle,

@@ -8,11 +8,15 @@ export interface Bar {
   readonly toUs: number; // the end of the axis when no end is known
 }
 
+// More faults than this are no picture any more; the first ones are shown.
+const MOST_BARS = 500;
+
 // Bars in order of their begin; lanes are numbered from 0.
 export function laneBars(faults: readonly Fault[], endUs: number): Bar[] {
   const busyUntil: number[] = [];
   const bars: Bar[] = [];
-  for (const fault of [...faults].sort((one, other) => one.fromUs - other.fromUs)) {
+  const inOrder = [...faults].sort((one, other) => one.fromUs - other.fromUs);
+  for (const fault of inOrder.slice(0, MOST_BARS)) {
     const toUs = fault.toUs < 0 ? endUs : fault.toUs;
     let lane = busyUntil.findIndex((until) => until <= fault.fromUs);
     if (lane < 0) lane = busyUntil.length;

@@ -25,6 +25,7 @@ export interface Rows {
 
 export const ROW = 18; // CSS pixels
 const TOP = 4;
+const OVERHANG = 6; // of triangles and crosses at the ends of the axis
 const LANES_SHOWN = 5; // so many at full height; more lanes are lower
 
 export function rowsHeight(bars: readonly Bar[]): number {
@@ -47,12 +48,12 @@ export function rowTops(bars: readonly Bar[]): { commands: number; faults: numbe
 export function drawRows(surface: Surface, area: PlotArea, rows: Rows): void {
   const height = rowsHeight(rows.bars);
   drawGround(surface, area, rows, height);
-  drawNames(surface, rows);
   drawCommands(surface, area, rows);
   drawFaults(surface, area, rows);
   drawAvoidance(surface, area, rows);
   drawEnds(surface, area, rows);
   hideBeyond(surface, area, rows.palette, height);
+  drawNames(surface, rows);
 }
 
 function drawGround(surface: Surface, area: PlotArea, { palette, heldUs, loop }: Rows, height: number): void {
@@ -189,7 +190,8 @@ function drawEnds(surface: Surface, area: PlotArea, { palette, bars, collisions,
 
 // What a zoomed axis pushed out of the plot must not stand in the margins.
 function hideBeyond(surface: Surface, area: PlotArea, palette: Palette, height: number): void {
-  fillRect(surface, palette.panel, area.width - RIGHT + 6, 0, RIGHT - 6, height);
+  fillRect(surface, palette.panel, 0, 0, LEFT - OVERHANG, height);
+  fillRect(surface, palette.panel, area.width - RIGHT + OVERHANG, 0, RIGHT - OVERHANG, height);
 }
 
 function fillRect(
