@@ -66,7 +66,7 @@ count(N, What) -> io_lib:format("~b ~ss", [N, What]).
 
 commands(#{steps := Steps} = Trace) ->
     Failed = airbag_trace:failed_at(Trace),
-    table(["number", "command", "gave", "faults in force"], [
+    table("commands", ["number", "command", "gave", "faults in force"], [
         {
             Number =:= Failed,
             [
@@ -91,7 +91,7 @@ packets(#{options := #{protection := Protection}} = Trace) ->
             ["count", "airbag"],
     [
         [bits_legend() || Packets =/= []],
-        table(Heads, [packet(P, Trace) || P <- Packets]),
+        table("packets", Heads, [packet(P, Trace) || P <- Packets]),
         ["<p>None arrived.</p>\n" || Packets =:= []]
     ].
 
@@ -169,10 +169,11 @@ wanted(_, _) ->
 fired(true) -> "<strong>fired</strong>";
 fired(false) -> "silent".
 
-%% Rows are {Marked, Cells}.
-table(Heads, Rows) ->
+%% Rows are {Marked, Cells}; the name is that of the section. Wide ones scroll, also by keys.
+table(Section, Heads, Rows) ->
     [
-        "<div class=\"scroll\" tabindex=\"0\">\n<table>\n<thead><tr>",
+        "<div class=\"scroll\" role=\"region\" aria-labelledby=\"h-", Section,
+        "\" tabindex=\"0\">\n<table>\n<thead><tr>",
         [["<th scope=\"col\">", escape(Head), "</th>"] || Head <- Heads],
         "</tr></thead>\n<tbody>\n",
         [

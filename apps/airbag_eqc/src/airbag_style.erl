@@ -71,7 +71,8 @@ svg .packet .box{fill:none;stroke:var(--edge)}
 svg .altered .box{stroke:var(--fault);stroke-width:2;stroke-dasharray:5 3}
 svg .altered .small{fill:var(--fault)}
 svg tspan.flip{fill:var(--fault);font-weight:700;text-decoration:underline}
-svg .notrun{opacity:.45}
+svg .notrun .box{fill:none;stroke:var(--quiet);stroke-dasharray:3 3}
+svg .notrun text{fill:var(--quiet)}
 svg .arrow{fill:none;stroke:var(--quiet);stroke-width:1.5}
 svg .axis{stroke:var(--edge)}
 svg .limit{stroke:var(--bad);stroke-dasharray:6 4}

@@ -77,16 +77,27 @@ role(1) -> "stroke=\"#b01226\" stroke-width=\"2\" stroke-dasharray=\"8 4\"";
 role(2) -> "stroke=\"#1f6fb4\" stroke-width=\"2\" stroke-dasharray=\"2 4\"";
 role(_) -> "stroke=\"#8a5fb0\" stroke-width=\"2\" stroke-dasharray=\"8 3 2 3\"".
 
+%% Of what is no number nothing is drawn.
 path(Points, End, Paint, View) ->
-    Places = [[number(x(X, View)), " ", number(y(Y, View))] || [X, Y, _] <- Points],
-    ["<path d=\"M", lists:join("L", Places), End, "\" fill=\"none\" ", Paint, "/>\n"].
+    Places = [
+        [number(x(X, View)), " ", number(y(Y, View))]
+     || [X, Y, _] <- Points, is_float(X), is_float(Y)
+    ],
+    case Places of
+        [_, _ | _] ->
+            ["<path d=\"M", lists:join("L", Places), End, "\" fill=\"none\" ", Paint, "/>\n"];
+        _ ->
+            []
+    end.
 
-anchor(#{id := Id, pos := [X, Y, _]}, View) ->
+anchor(#{id := Id, pos := [X, Y, _]}, View) when is_float(X), is_float(Y) ->
     {Px, Py} = {x(X, View), y(Y, View)},
     [
         ["<path d=\"M", number(Px), " ", number(Py - 7), "l7 12h-14z\" fill=\"#2a8f6a\"/>\n"],
         text(Px + 10, Py + 5, "#3c4656", "12", io_lib:format("anchor ~b", [Id]))
-    ].
+    ];
+anchor(_, _) ->
+    [].
 
 %% ---- what moves -------------------------------------------------------------------------------
 
@@ -113,12 +124,9 @@ trail(#{id := Id}, At, Frames, View) ->
     Way = [
         Pos
      || #{t_us := T, objects := Objects} <- Frames, T =< At, T >= At - ?TRAIL_US,
-        #{id := Other, pos := [X, Y, _] = Pos} <- Objects, Other =:= Id, is_float(X), is_float(Y)
+        #{id := Other, pos := Pos} <- Objects, Other =:= Id
     ],
-    case Way of
-        [_, _ | _] -> path(Way, "", ["stroke=\"", colour(Id), "\" stroke-opacity=\".6\""], View);
-        _ -> []
-    end.
+    path(Way, "", ["stroke=\"", colour(Id), "\" stroke-opacity=\".6\""], View).
 
 object(#{pos := [X, Y, _], pos_est := [Ex, Ey, _]} = Object, View) when is_float(X), is_float(Y) ->
     #{id := Id, flags := Flags, yaw := Yaw, kind := Kind} = Object,

@@ -90,8 +90,21 @@ no_numbers(Dir) ->
         "1,0,1,0,0,,,0.5,1,",
         Fourth
     ),
-    {ok, [_ | _]} = replay_export:write(Dir, #{format => mcap}),
-    {ok, [_ | _]} = replay_export:write(Dir, #{format => svg}).
+    World = #{
+        run => 1, version => 1, seg => [[nan, 0.0, 1.0, inf], [0.0, 0.0, 1.0, 1.0]],
+        anchors => [#{id => 1, pos => [neg_inf, 0.0, nan]}],
+        polys => [#{name => "p", role => 1, pt => [[nan, nan, nan], [1.0, 1.0, 1.0]]}]
+    },
+    Ellipse = #{
+        about => 1, kind => 0, overlap => 1, x => nan, y => 0.0, rx => inf, ry => 1.0,
+        theta => 0.0, age => 0.0
+    },
+    Risk = #{t_us => 0, run => 1, observer => 7, ellipses => [Ellipse]},
+    record(Dir, [{world, 0, World}, {risk, 0, Risk}, frame(0, [Broken])]),
+    {ok, [_]} = replay_export:write(Dir, #{format => mcap}),
+    {ok, [Map | _]} = replay_export:write(Dir, #{format => svg}),
+    {Svg, []} = xmerl_scan:file(Map, [{quiet, true}]),
+    ?assertEqual(1, length(xmerl_xpath:string("//path[@stroke='#5b6474']", Svg))).
 
 out(Dir) ->
     record(Dir, [frame(0, [object(1, 0), object(2, 0)]), frame(20000, [object(1, 0)])]),
