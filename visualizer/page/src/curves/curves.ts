@@ -4,7 +4,7 @@
 import 'uplot/dist/uPlot.min.css';
 import './curves.css';
 import type uPlot from 'uplot';
-import { objectName } from '../map/object_name';
+import { shortNameOf } from '../model/short_name';
 import { objectColor } from '../map/palette';
 import type { SvgSurface } from '../map/svg_surface';
 import { currentPalette, onThemeChange } from '../map/theme_watch';
@@ -167,7 +167,7 @@ class UplotCurves implements Curves {
   private name({ object, kind }: Curve): string {
     const frame = this.viewer.packed.shown;
     const row = frame?.layout.rowOf.get(object);
-    return `${objectName(object, row === undefined ? 0 : (frame?.layout.kinds[row] ?? 0))} ${kind.name}`;
+    return `${shortNameOf(object, row === undefined ? 0 : (frame?.layout.kinds[row] ?? 0))} ${kind.name}`;
   }
 
   private redraw(): void {

@@ -196,9 +196,11 @@ class CanvasMap implements MapView {
         this.schedule();
       },
       hover: (px, py) => {
-        const x = worldX(this.view, px).toFixed(2);
-        const y = worldY(this.view, py).toFixed(2);
-        setText(this.readout, `x ${x}  y ${y} m   ${Number(this.view.scale.toPrecision(3))} px/m`);
+        const unit = this.settings.value.length;
+        const text = (metres: number): string =>
+          unit === 'm' ? metres.toFixed(2) : (metres * 1000).toFixed(0);
+        const place = `x ${text(worldX(this.view, px))}  y ${text(worldY(this.view, py))} ${unit}`;
+        setText(this.readout, `${place}   ${Number(this.view.scale.toPrecision(3))} px/m`);
       },
       leave: () => setText(this.readout, ''),
       measuring: () => this.measureMode,
@@ -259,6 +261,7 @@ class CanvasMap implements MapView {
       palette: this.palette,
       layers: this.settings.value.layers,
       trail: this.settings.value.trail,
+      unit: this.settings.value.length,
       tUs: state.tUs,
       world: state.world,
       frames: packed.frames,

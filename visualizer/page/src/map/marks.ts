@@ -6,7 +6,7 @@ import { Col, type PackedFrame } from '../model/packed_frame';
 import { glyphRadius } from './glyphs';
 import { lengthText } from './length_text';
 import { objectX, objectY, valueAt } from './columns';
-import { objectName } from './object_name';
+import { shortNameOf } from '../model/short_name';
 import { Places } from './places';
 import { FAULT_COLORS, ON_FAULT } from './palette';
 import type { Scene } from './scene';
@@ -40,7 +40,7 @@ export function drawLabels(surface: Surface, scene: Scene, frame: PackedFrame): 
     if (!wanted && !((distances[row] ?? 0) <= near) && near !== Infinity) continue;
     const x = objectX(view, frame, row) + offset;
     const y = names.free(x, objectY(view, frame, row) - offset);
-    surface.fillText(objectName(id, kinds[row] ?? 0), x, y);
+    surface.fillText(shortNameOf(id, kinds[row] ?? 0), x, y);
   }
 }
 
@@ -141,7 +141,7 @@ export function drawCollisions(surface: Surface, { view, palette, collisions, tU
   surface.stroke();
 }
 
-export function drawMeasure(surface: Surface, { view, palette, measure }: Scene): void {
+export function drawMeasure(surface: Surface, { view, palette, measure, unit }: Scene): void {
   if (measure === null) return;
   const x1 = screenX(view, measure.fromX);
   const y1 = screenY(view, measure.fromY);
@@ -156,7 +156,7 @@ export function drawMeasure(surface: Surface, { view, palette, measure }: Scene)
   surface.lineWidth = 2;
   surface.stroke();
   const length = Math.hypot(measure.toX - measure.fromX, measure.toY - measure.fromY);
-  const text = lengthText(length);
+  const text = lengthText(length, unit);
   surface.font = `bold 12px ${palette.font}`;
   surface.textAlign = 'center';
   surface.textBaseline = 'middle';

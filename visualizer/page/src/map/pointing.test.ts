@@ -4,7 +4,7 @@ import { anObject } from '../model/testing';
 import { FrameCounter } from './frame_counter';
 import { wheelFactor } from './gestures';
 import { lengthText } from './length_text';
-import { objectName } from './object_name';
+import { shortNameOf } from '../model/short_name';
 import { objectColor } from './palette';
 import { pick } from './picking';
 import { Places } from './places';
@@ -63,13 +63,14 @@ it('frames a second are those of the last one', () => {
 });
 
 it('lengths and names are short', () => {
+  expect([lengthText(2, 'mm'), lengthText(0.5, 'mm')]).toEqual(['2000 mm', '500 mm']);
   expect([lengthText(2), lengthText(0.05), lengthText(1500), lengthText(0.123456)]).toEqual([
     '2 m',
     '50 mm',
     '1.5 km',
     '0.123 m',
   ]);
-  expect([objectName(3, 0), objectName(1, 1), objectName(9, 2)]).toEqual(['Q3', 'C1', 'O9']);
+  expect([shortNameOf(3, 0), shortNameOf(1, 1), shortNameOf(9, 2)]).toEqual(['Q3', 'C1', 'O9']);
 });
 
 it('objects have one of a few colours, also with a negative id', () => {

@@ -22,6 +22,7 @@ export interface Scene {
   readonly palette: Palette;
   readonly layers: Readonly<Record<LayerName, boolean>>;
   readonly trail: Trail;
+  readonly unit: 'm' | 'mm'; // of lengths
   readonly tUs: number;
   readonly world: World | null;
   readonly frames: TimeBuffer<PackedFrame>;

@@ -21,7 +21,7 @@ export function drawStaticLayers(surface: Surface, scene: Scene): void {
     drawTerrain(surface, scene);
   }
   if (scene.world !== null && scene.layers.anchors) drawAnchors(surface, scene);
-  drawScaleBar(surface, scene.view, scene.palette);
+  drawScaleBar(surface, scene);
 }
 
 // Coordinates (m) of grid lines between two. So far away from the origin that numbers are coarser than
@@ -119,7 +119,7 @@ function drawAnchors(surface: Surface, { view, palette, world }: Scene): void {
   surface.textAlign = 'left';
 }
 
-function drawScaleBar(surface: Surface, view: View, palette: Palette): void {
+function drawScaleBar(surface: Surface, { view, palette, unit }: Scene): void {
   const length = roundLength(view.scale, SCALE_BAR_PX);
   const right = view.size.width - 20;
   const y = view.size.height - 16;
@@ -133,7 +133,7 @@ function drawScaleBar(surface: Surface, view: View, palette: Palette): void {
   text(surface, palette, 12);
   surface.textAlign = 'center';
   surface.fillStyle = palette.text;
-  surface.fillText(lengthText(length), (left + right) / 2, y - 11);
+  surface.fillText(lengthText(length, unit), (left + right) / 2, y - 11);
   surface.textAlign = 'left';
 }
 

@@ -32,6 +32,7 @@ export function aScene(objects: readonly VizObject[] = [anObject(1)], change: Pa
     palette: testPalette,
     layers: shown,
     trail: 2,
+    unit: 'm',
     tUs: 1e6,
     world: null,
     frames,

@@ -132,6 +132,24 @@ describe('live', () => {
     expect(viewer.state.frame?.tUs).toBe(1 * S);
   });
 
+  it('plays what it holds while disconnected, and follows again once it is back', () => {
+    const { world, viewer } = liveViewer();
+    world.listener?.connection({ connected: false, retryInS: 0.5 });
+    world.listener?.granted(false);
+    viewer.seek(1.5 * S);
+    viewer.pause();
+    viewer.play();
+    world.pass(300);
+    expect(viewer.state.tUs / S).toBeCloseTo(1.8, 1);
+    world.pass(500);
+    expect([viewer.state.tUs, viewer.state.playing]).toEqual([2 * S, false]);
+    world.listener?.connection({ connected: true });
+    world.listener?.message(aFrame(2.1 * S));
+    viewer.toLive();
+    world.pass(10);
+    expect([viewer.state.tUs, viewer.state.badge]).toEqual([2.1 * S, 'LIVE']);
+  });
+
   it('sends at most one seek in 150 ms, and the last one in any case', () => {
     const { world, viewer } = liveViewer(2);
     for (let i = 0; i < 20; i++) {

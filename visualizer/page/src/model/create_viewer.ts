@@ -376,9 +376,10 @@ class ViewerModel implements Viewer {
 
   private context(): PlayContext {
     const frames = this.data.frames;
-    const replay = this.connection.kind === 'file' || this.data.status?.mode === Mode.replay;
+    const { kind, connected } = this.connection;
+    const replay = kind === 'file' || this.data.status?.mode === Mode.replay;
     return {
-      source: this.connection.kind,
+      source: kind === 'socket' && !connected ? 'file' : kind,
       fromUs: frames.first?.tUs ?? 0,
       toUs: frames.last?.tUs ?? 0,
       empty: frames.length === 0,

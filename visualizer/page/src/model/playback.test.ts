@@ -118,6 +118,16 @@ describe('from a socket', () => {
     expect(playback.following).toBe(true);
   });
 
+  it('does not stop at what lies before the place it was sent to', () => {
+    const playback = at(1 * S, { following: true });
+    playback.seek(7 * S, socket({ toUs: 2 * S }));
+    playback.reset(true); // the player begins a run anew
+    playback.advance(0.016, socket({ toUs: 6.9 * S, stopsUs: [5 * S, 7.5 * S] }));
+    expect([playback.tUs, playback.playing]).toEqual([6.9 * S, true]);
+    playback.advance(0.016, socket({ stopsUs: [5 * S, 7.5 * S] }));
+    expect([playback.tUs, playback.playing]).toEqual([7.5 * S, false]);
+  });
+
   it('goes back to live', () => {
     const playback = at(2 * S);
     expect(playback.toLive(socket())).toEqual([]);

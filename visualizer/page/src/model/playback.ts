@@ -5,7 +5,7 @@
 import type { SourceKind } from './viewer';
 
 export interface PlayContext {
-  readonly source: SourceKind;
+  readonly source: SourceKind; // a socket without connection plays like a file
   readonly fromUs: number; // what the buffer holds
   readonly toUs: number;
   readonly empty: boolean; // nothing is held
@@ -38,6 +38,7 @@ export class Playback {
   speed = 1;
   loop: Loop | null = null;
   stopAtCollision = true;
+  private soughtUs = -1; // where the player was sent: what lies before is not stopped at
 
   // A new source, or a new run of the same.
   reset(playing: boolean): void {
@@ -67,6 +68,7 @@ export class Playback {
   }
 
   restart(context: PlayContext): Wish[] {
+    this.soughtUs = -1;
     if (context.source === 'socket') {
       this.following = true;
       return [wish('restart')];
@@ -86,8 +88,10 @@ export class Playback {
     return [...wishes, wish('step', frames)];
   }
 
-  seek(tUs: number, context: PlayContext): Wish[] {
+  seek(wantedUs: number, context: PlayContext): Wish[] {
+    const tUs = Math.round(wantedUs);
     const held = !context.empty && tUs >= context.fromUs && tUs <= context.toUs;
+    this.soughtUs = -1;
     if (context.source !== 'socket' || held) {
       this.tUs = clamp(tUs, context.fromUs, context.toUs);
       this.following = context.source === 'socket' && context.producing && tUs >= context.toUs;
@@ -95,6 +99,7 @@ export class Playback {
     }
     const target = clamp(tUs, 0, Math.max(context.durationUs, 0));
     this.following = true;
+    this.soughtUs = target;
     return [wish('seek', target / 1e6)];
   }
 
@@ -121,24 +126,17 @@ export class Playback {
     if (context.empty) return [];
     const from = this.tUs;
     const stop = this.nextStop(from, context);
-    const wanted =
-      this.following && context.source === 'socket'
-        ? context.toUs
-        : this.playing
-          ? from + seconds * this.speed * 1e6
-          : from;
+    const follows = this.following && context.source === 'socket';
+    const played = this.playing ? from + seconds * this.speed * 1e6 : from;
+    const wanted = follows ? context.toUs : played;
     if (stop !== null && wanted >= stop) return this.stopAt(stop, context);
     if (this.loop !== null && this.playing && wanted >= this.loop.toUs) {
       this.following = false;
       this.tUs = clamp(this.loop.fromUs, context.fromUs, context.toUs);
       return [];
     }
-    if (wanted < context.toUs || this.following) {
-      this.tUs = Math.max(wanted, context.fromUs);
-      return [];
-    }
-    this.tUs = context.toUs;
-    return this.playing ? this.reachedEnd(context) : [];
+    this.tUs = clamp(wanted, context.fromUs, context.toUs);
+    return this.playing && !follows && wanted >= context.toUs ? this.reachedEnd(context) : [];
   }
 
   private resume(context: PlayContext): Wish[] {
@@ -166,7 +164,8 @@ export class Playback {
 
   private nextStop(fromUs: number, context: PlayContext): number | null {
     if (!this.playing || !this.stopAtCollision || fromUs < context.fromUs) return null;
-    return context.stopsUs.find((tUs) => tUs > fromUs && tUs <= context.toUs) ?? null;
+    const passed = Math.max(fromUs, this.soughtUs);
+    return context.stopsUs.find((tUs) => tUs > passed && tUs <= context.toUs) ?? null;
   }
 
   private stopAt(tUs: number, context: PlayContext): Wish[] {

@@ -1,5 +1,6 @@
 // Numbers as text, in the units that the user has chosen.
 
+import { shortNameOf } from '../model/short_name';
 import type { VizObject } from '../../../codec/messages';
 import { ObjectKind } from '../../../codec/messages';
 
@@ -57,17 +58,17 @@ export function speedFactorText(factor: number): string {
   return `${Number(factor.toPrecision(3))}×`;
 }
 
-const kindNames = new Map<number, readonly [string, string]>([
-  [ObjectKind.copter, ['Quad', 'Q']],
-  [ObjectKind.car, ['Car', 'C']],
+const kindNames = new Map<number, string>([
+  [ObjectKind.copter, 'Quad'],
+  [ObjectKind.car, 'Car'],
 ]);
 
 export function objectName(object: Pick<VizObject, 'id' | 'kind'>): string {
-  return `${kindNames.get(object.kind)?.[0] ?? 'Object'} ${object.id}`;
+  return `${kindNames.get(object.kind) ?? 'Object'} ${object.id}`;
 }
 
 export function shortName(object: Pick<VizObject, 'id' | 'kind'>): string {
-  return `${kindNames.get(object.kind)?.[1] ?? 'O'}${object.id}`;
+  return shortNameOf(object.id, object.kind);
 }
 
 export function distance(a: readonly number[], b: readonly number[]): number {

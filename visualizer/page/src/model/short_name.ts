@@ -2,6 +2,6 @@
 
 const LETTERS = ['Q', 'C', 'O'] as const;
 
-export function objectName(id: number, kind: number): string {
+export function shortNameOf(id: number, kind: number): string {
   return `${LETTERS[kind] ?? 'O'}${id}`;
 }
