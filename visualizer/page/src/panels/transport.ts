@@ -1,6 +1,5 @@
 // The bar with which time is moved.
 
-import { Mode } from '../../../codec/messages';
 import { button, el, setHidden, setOptions, setText } from '../shell/dom';
 import { type IconName, icon } from '../shell/icons';
 import { speeds } from '../shell/settings';
@@ -67,7 +66,7 @@ export function transportPanel(context: Context): Transport {
     const empty = state.frame === null;
     for (const control of [start, back, play, next, loop, previousEvent, nextEvent]) control.disabled = empty;
     showPlaying(play, state.playing);
-    setText(time, empty ? '–' : timeText(state.tUs, state.durationUs, state.status?.mode === Mode.live));
+    setText(time, empty ? '–' : timeText(state.tUs, state.durationUs, state.badge === 'LIVE'));
     setOptions(speed, speedOptions(state.speed), String(state.speed));
     if (state.loop !== null) lastLoop = state.loop;
     loop.setAttribute('aria-pressed', String(state.loop !== null));
