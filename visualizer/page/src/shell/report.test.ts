@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import { readLog } from '../../../codec/log';
 import type { Message } from '../../../codec/messages';
 import { decodeMessage } from '../../../codec/viz';
-import { aCase, aFrame, anEvent, aRisk } from '../model/testing';
+import { aCase, aFrame, anEvent, anObject, aRisk } from '../model/testing';
 import { base64, escaped, fileName, logOf, report, thinned, withLog } from './report';
 
 const page = '<!doctype html>\n<html><body><div id="app"></div>\n</body></html>\n';
@@ -65,6 +65,23 @@ test('thinning keeps 20 frames and contours a second, the first and last, and al
   expect(times('VIZ_FRAME')).toEqual(expected);
   expect(times('VIZ_RISK')).toEqual(expected);
   expect(times('VIZ_EVENT')).toHaveLength(201);
+});
+
+test('a report that would be too large has fewer frames, but every event', async () => {
+  const long: Message[] = [];
+  for (let tUs = 0; tUs <= 4_000_000; tUs += 10_000) {
+    const objects = Array.from({ length: 20 }, (_, id) =>
+      anObject(id, { pos: [Math.sin(tUs * id), tUs, 1] }),
+    );
+    long.push(aFrame(tUs, objects));
+    long.push({ channel: 'VIZ_EVENT', value: anEvent({ tUs, seq: tUs }) });
+  }
+  const whole = await report(page, 't', long);
+  const half = await report(page, 't', long, whole.length / 2);
+  expect(half.length).toBeLessThanOrEqual(whole.length / 2);
+  const count = (channel: string): number => logIn(half).filter((m) => m.channel === channel).length;
+  expect(count('VIZ_EVENT')).toBe(401);
+  expect([81, 41, 21, 9, 5]).toContain(count('VIZ_FRAME')); // 20, 10, 5, 2 or 1 a second, both ends counted
 });
 
 test('base64 agrees with the system on every length', () => {

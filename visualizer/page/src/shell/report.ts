@@ -4,9 +4,9 @@ import { writeLog } from '../../../codec/log';
 import type { Message } from '../../../codec/messages';
 import { encodeMessage } from '../../../codec/viz';
 
-// A larger report is made again with fewer frames.
+// A larger report is made again with fewer and fewer frames a second.
 const maxReportBytes = 20e6;
-const thinnedHz = 20;
+const thinnedHz: readonly number[] = [20, 10, 5, 2, 1];
 
 // In the order given; times are simulated, so that lcm-logplayer keeps the pace.
 export function logOf(messages: readonly Message[]): Uint8Array<ArrayBuffer> {
@@ -73,11 +73,19 @@ export function base64(bytes: Uint8Array): string {
   return btoa(parts.join(''));
 }
 
-export async function report(page: string, title: string, messages: readonly Message[]): Promise<string> {
-  const whole = await gzipped(logOf(messages));
-  const room = maxReportBytes - page.length;
-  const kept = (whole.length * 4) / 3 <= room ? whole : await gzipped(logOf(thinned(messages, thinnedHz)));
-  return withLog(page, title, base64(kept));
+export async function report(
+  page: string,
+  title: string,
+  messages: readonly Message[],
+  maxBytes = maxReportBytes,
+): Promise<string> {
+  const room = ((maxBytes - page.length) * 3) / 4;
+  let log = await gzipped(logOf(messages));
+  for (const hz of thinnedHz) {
+    if (log.length <= room) break;
+    log = await gzipped(logOf(thinned(messages, hz)));
+  }
+  return withLog(page, title, base64(log));
 }
 
 // A name for a file that says which case it is of.
