@@ -146,9 +146,9 @@ one_line() { # one_line STATUS PATTERN COMMAND...
 }
 stream=("$bin/coptersim_stream" examples/copter/crossing.json)
 check "without a route to the loopback coptersim_stream says which" \
-  one_line 2 'run: ip route add 239.255.76.67/32 dev lo$' "${stream[@]}"
+  one_line 2 'run: ip route replace 239.255.76.67/32 dev lo src 127.0.0.1$' "${stream[@]}"
 ip route del default
-check "without any route too" one_line 2 'run: ip route add 239.255.76.67/32 dev lo$' "${stream[@]}"
+check "without any route too" one_line 2 'run: ip route replace 239.255.76.67/32 dev lo src 127.0.0.1$' "${stream[@]}"
 ip route add default via 192.0.2.2
 ip route add 239.255.76.67/32 dev lo
 begin_log "$here/logged.lcm"

@@ -9,10 +9,10 @@
 namespace coptersim_run {
 namespace {
 
-/* A device or a pipe is written to; it cannot be replaced by a complete file. */
+/* A device, a pipe or a link is written to; /dev/stdout must not be replaced by a complete file. */
 bool is_special(const std::string &file) {
     struct stat status;
-    return stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+    return lstat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }
 
 bool write_to(std::FILE *stream, const csim_trace::trace &t, bool csv) {

@@ -11,9 +11,10 @@ namespace {
 
 constexpr std::uint32_t event_magic = 0xeda1da01;
 
+/* Devices, pipes and links (/dev/stdout is one) are not replaced by a complete file. */
 bool is_special(const std::string &file) {
     struct stat status;
-    return stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+    return lstat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }
 
 void append(std::string &to, std::uint64_t value, int bytes) {

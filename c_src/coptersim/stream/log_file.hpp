@@ -17,8 +17,8 @@ class log_file : public sink {
     log_file(const log_file &) = delete;
     log_file &operator=(const log_file &) = delete;
 
-    /* Devices and pipes are written to directly, anything else under a temporary name. false: error
-     * is one line. */
+    /* Devices, pipes and links are written to directly, anything else under a temporary name.
+     * false: error is one line. */
     bool open(const std::string &file, std::string &error);
     bool put(std::uint64_t t_us, const char *channel, std::string_view bytes,
              std::string &error) override;

@@ -53,7 +53,7 @@ bool streamed_run(csim *sim, const csim_scenario::scenario &s,
         }
         std::uint64_t until = std::min(next_event(s, player.time(), event), s.steps() * s.dt_us);
         for (const teller &t : tellers) {
-            until = std::min(until, t.next_us());
+            until = std::min(until, step_at(t.next_us(), s.dt_us));
         }
         player.advance(until);
     }
