@@ -42,7 +42,6 @@
 %% Of a live flight the latest so many are listed.
 -define(MOST_COMMANDS, 500).
 -define(EXAMPLE, "crowd_without_faults").
--define(HAND, {prop_copter_demo, prop_copters_survive_faults}).
 
 %% ---- opening ----------------------------------------------------------------------------------
 
@@ -71,14 +70,14 @@ open({named, Name}) ->
 open({scenario, File}) ->
     with_scenario(File, fun(#{name := Name, settings := Settings, plan := Plan}) ->
         Title = unicode:characters_to_list(Name),
-        (of_plan(Title, Settings, Plan))#view{live = true, end_us = unknown, property = none}
+        (of_plan(Title, Settings, Plan))#view{live = true, end_us = unknown}
     end);
 open({flight, Name, Settings, Plan}) ->
     {ok, of_plan(Name, Settings, Plan)};
 open(live) ->
-    Settings = copter_sut:settings(copter_options:new(#{world => reference})),
+    Settings = settings_of(#{world => reference}),
     Empty = of_plan("flown by hand", Settings, #{planned => [], end_us => 0}),
-    {ok, Empty#view{live = true, end_us = unknown, property = ?HAND}}.
+    {ok, Empty#view{live = true, end_us = unknown}}.
 
 with_scenario(File, Then) ->
     case copter_plan:read_scenario(File) of
@@ -88,9 +87,19 @@ with_scenario(File, Then) ->
 
 of_plan(Name, Settings, #{planned := Planned, end_us := End}) ->
     #view{
-        name = Name, settings = Settings, recorded = unknown, property = none, plan = Planned,
-        original = length(Planned), end_us = End
+        name = Name, settings = Settings, recorded = unknown, property = property_in(Settings),
+        plan = Planned, original = length(Planned), end_us = End
     }.
+
+%% A property in whose world and with whose parameters it flies, or none.
+property_in(Settings) ->
+    Worlds = [{reference, prop_copters_survive_faults}, {{box, 10}, prop_copters_survive_a_crowd}],
+    case [P || {W, P} <- Worlds, settings_of(#{world => W}) =:= Settings] of
+        [Property | _] -> {prop_copter_demo, Property};
+        [] -> none
+    end.
+
+settings_of(Changes) -> copter_sut:settings(copter_options:new(Changes)).
 
 of_stored(Name, Options, Commands) ->
     #{dt_us := Dt} = Settings = copter_sut:settings(Options),
@@ -301,14 +310,20 @@ is_live(#view{live = Live}) -> Live.
 
 %% @doc What it is, for VIZ_CASE.
 -spec info(view()) -> replay_source:info().
-info(#view{name = Name, original = Original} = View) ->
+info(#view{name = Name, live = Live, original = Stored} = View) ->
+    Commands = [command(P) || P <- commands(View)],
+    Original =
+        case Live of
+            true -> length(Commands);
+            false -> Stored
+        end,
     #{
         case_id => list_to_binary(Name),
         property => property_of(View),
         seed => seed_of(View),
         code_version => version_of(View),
         ncmd_original => Original,
-        commands => [command(P) || P <- commands(View)],
+        commands => Commands,
         params => faultcheck_json:encode(copter_view_params:of_view(parameters(View)))
     }.
 
@@ -441,7 +456,7 @@ by_hand([Call | Calls], Events, #view{now = Now, done = Done, due = Due} = View,
 -spec store(view()) ->
     {ok, faultcheck_case:'case'(), [{file:filename(), iodata()}]} | {error, string()}.
 store(#view{property = none}) ->
-    {error, "a flight of a scenario file cannot be stored as a case: no property has its world"};
+    {error, "no property has the world and the parameters of this scenario"};
 store(#view{settings = #{dt_us := Dt}}) when Dt < 1000 ->
     {error, "steps of less than 1 ms cannot be stored as a case"};
 store(#view{property = {Module, Property}, settings = Settings, now = End} = View) ->

@@ -225,6 +225,15 @@ a_case_without_its_scenario_is_refused_in_one_line_test() ->
                      Line)
     end).
 
+%% The example that comes along is the flight of a property too.
+a_fork_of_the_example_can_be_stored_test() ->
+    {_, P1} = wait(1000000, opened({view, example})),
+    {_, P2} = ask(<<"fork">>, -1, [], <<>>, P1),
+    {_, P3} = wait(500000, P2),
+    [{store, #{property := prop_copters_survive_a_crowd, shrunk := [Commands]}, _}] =
+        replay_player:close(P3),
+    ?assertEqual(safe, copter_trial:run(copter_options:new(#{max_faults => 0}), Commands)).
+
 %% Stored, opened again: it ends in the same moment with the same bits.
 a_fork_is_stored_and_played_again_test() ->
     in_folder(fun(Root) ->
