@@ -10,7 +10,7 @@ import { createSettings } from './shell/settings';
 import { browserViewer, bridgeUrl } from './source/browser';
 import { fetchCase, listCases } from './source/case_list';
 import { embeddedLog } from './source/embedded_log';
-import { followFragment } from './source/follow_fragment';
+import { browserAddress, followFragment } from './source/follow_fragment';
 import { createTimeline } from './timeline/timeline';
 
 function memory(): Storage | null {
@@ -39,7 +39,13 @@ async function begin(root: HTMLElement): Promise<void> {
   });
   shell.attachMap(map);
   viewer.onRefusal((line) => shell.notify(line, true));
-  followFragment(viewer, window);
+  const loadCase = async (id: string): Promise<void> => {
+    const ack = await viewer.control('load', -1, [0], id);
+    if (ack.ok) return;
+    if (socket === null) throw new Error(ack.text);
+    await viewer.openLog(await fetchCase(bridge, id), id);
+  };
+  followFragment(viewer, browserAddress(window), loadCase, (ms, callback) => void setTimeout(callback, ms));
   if (__VIZ_TEST__) window.__viz = { stats: () => map.stats(), state: () => viewer.state, viewer };
   try {
     const log = await embeddedLog(document);

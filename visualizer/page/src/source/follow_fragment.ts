@@ -1,38 +1,79 @@
 // Keeps the page's address in step with what is shown, and goes where an address says, once.
 
 import type { Viewer } from '../model/viewer';
-import { formatFragment, parseFragment } from './fragment';
+import { formatFragment, type Place, parseFragment } from './fragment';
 
-export function followFragment(viewer: Viewer, page: Window): void {
-  let wanted: ReturnType<typeof parseFragment> | null = parseFragment(page.location.hash);
-  const goThere = (): void => {
+// The part of the address after #.
+export interface Address {
+  read(): string;
+  replace(fragment: string): void; // without a step in the history
+  onChange(callback: () => void): void; // by the user
+}
+
+// Without any frame for so long, the case of an address is loaded without waiting for a player.
+const NO_PLAYER_MS = 1500;
+
+// `loadCase' shows a stored case; it rejects when it cannot.
+export function followFragment(
+  viewer: Viewer,
+  address: Address,
+  loadCase: (id: string) => Promise<void>,
+  later: (ms: number, callback: () => void) => void,
+): void {
+  let wanted: Place | null = parseFragment(address.read());
+  let asked = false;
+  const load = (id: string): void => {
+    asked = true;
+    void loadCase(id).catch(() => {
+      if (wanted !== null) wanted = { ...wanted, caseId: null };
+      goThere(false);
+    });
+  };
+  const goThere = (patient: boolean): void => {
     const { frame, caseInfo } = viewer.state;
-    if (wanted === null || frame === null) return;
-    const { caseId, tUs, observer } = wanted;
-    if (caseId !== null && caseInfo !== null && caseInfo.caseId !== caseId) {
-      wanted = { ...wanted, caseId: null };
-      void viewer.control('load', -1, [0], caseId);
-      return;
+    if (wanted === null) return;
+    const { caseId } = wanted;
+    if (caseId !== null && caseInfo?.caseId !== caseId) {
+      const known = frame !== null && caseInfo !== null;
+      if (!asked && (known || !patient)) load(caseId);
+    } else if (frame !== null) {
+      show(viewer, wanted);
+      wanted = null;
     }
-    wanted = null;
-    if (observer !== null) viewer.observe(observer);
-    if (tUs === null) return;
-    viewer.pause();
-    viewer.seek(tUs);
   };
   viewer.listen((changed) => {
-    if (wanted !== null) goThere();
-    else if (changed.has('playback') || changed.has('selection') || changed.has('case')) write();
+    if (wanted !== null) goThere(true);
+    else if (changed.has('playback') || changed.has('selection') || changed.has('case')) {
+      write(viewer, address);
+    }
   });
-  page.addEventListener('hashchange', () => {
-    wanted = parseFragment(page.location.hash);
-    goThere();
+  address.onChange(() => {
+    wanted = parseFragment(address.read());
+    asked = false;
+    goThere(false);
   });
-  // While playing the address stands still: browsers do not like it to change 60 times a second.
-  const write = (): void => {
-    const { playing, tUs, observer, caseInfo, frame } = viewer.state;
-    if (playing || frame === null) return;
-    const next = formatFragment({ caseId: caseInfo?.caseId ?? null, tUs, observer });
-    if (next !== page.location.hash) page.history.replaceState(null, '', next);
+  later(NO_PLAYER_MS, () => goThere(false));
+}
+
+function show(viewer: Viewer, { tUs, observer }: Place): void {
+  if (observer !== null) viewer.observe(observer);
+  if (tUs === null) return;
+  viewer.pause();
+  viewer.seek(tUs);
+}
+
+// While playing the address stands still: browsers do not like it to change 60 times a second.
+function write(viewer: Viewer, address: Address): void {
+  const { playing, tUs, observer, caseInfo, frame } = viewer.state;
+  if (playing || frame === null) return;
+  const next = formatFragment({ caseId: caseInfo?.caseId ?? null, tUs, observer });
+  if (next !== address.read()) address.replace(next);
+}
+
+export function browserAddress(page: Window): Address {
+  return {
+    read: () => page.location.hash,
+    replace: (fragment) => page.history.replaceState(null, '', fragment),
+    onChange: (callback) => page.addEventListener('hashchange', callback),
   };
 }
