@@ -60,9 +60,18 @@ block(Open, Items, Close, Indent) ->
     [Open, New, lists:join([$,, New], Items), $\n, lists:duplicate(Indent, <<"  ">>), Close].
 
 %% The shortest text that reads back as the same float.
-float_text(F) -> io_lib:format("~w", [F]).
+float_text(F) -> float_to_binary(F, [short]).
 
-string(Text) -> [$", [escape(C) || <<C>> <= valid(Text)], $"].
+%% Most texts need no escape.
+string(Text) ->
+    Valid = valid(Text),
+    case is_plain(Valid) of
+        true -> [$", Valid, $"];
+        false -> [$", [escape(C) || <<C>> <= Valid], $"]
+    end.
+
+is_plain(<<C, Rest/binary>>) when C >= 32, C =/= $", C =/= $\\, C =/= 127 -> is_plain(Rest);
+is_plain(Text) -> Text =:= <<>>.
 
 %% Bytes that are not UTF-8 are taken for Latin-1.
 valid(Text) ->

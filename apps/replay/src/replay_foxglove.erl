@@ -19,6 +19,7 @@
 -define(FIRST_CURVE, 10).
 
 -define(FRAME_ID, <<"world">>).
+-define(SCENE_US, 50000).
 
 %% @doc What goes into the file.
 -spec content(replay_flight:flight()) -> replay_mcap:content().
@@ -67,9 +68,22 @@ messages(#{frames := Frames, risks := Risks, events := Events, worlds := Worlds}
     lists:append([
         [message(?WORLD, T, scene(T, world(World))) || {T, World} <- Worlds],
         lists:append([frame(Frame, Channels) || Frame <- Frames]),
-        [message(?OBJECTS, T, scene(T, [risk(Risk)])) || #{t_us := T} = Risk <- Risks],
+        [
+            message(?OBJECTS, T, scene(T, [comfort(Objects)]))
+         || #{t_us := T, objects := Objects} <- thinned(Frames)
+        ],
+        [message(?OBJECTS, T, scene(T, [risk(Risk)])) || #{t_us := T} = Risk <- thinned(Risks)],
         [message(?EVENTS, T, log(Event)) || #{t_us := T} = Event <- Events]
     ]).
+
+%% Scenes are large: the first of each slot, and the last of all.
+thinned([]) ->
+    [];
+thinned(Messages) ->
+    Slots = [{T div ?SCENE_US, Message} || #{t_us := T} = Message <- Messages],
+    Firsts = [Message || {_, Message} <- lists:ukeysort(1, Slots)],
+    Last = lists:last(Messages),
+    Firsts ++ [Last || lists:last(Firsts) =/= Last].
 
 message(Channel, T, Json) -> {Channel, 1000 * T, faultcheck_json:encode(Json)}.
 
@@ -80,8 +94,7 @@ frame(#{t_us := T, objects := Objects}, Channels) ->
     ],
     [
         message(?TRUE, T, poses(T, [pose(O, pos) || O <- Objects])),
-        message(?PERCEIVED, T, poses(T, [pose(O, pos_est) || O <- Objects])),
-        message(?OBJECTS, T, scene(T, [comfort(Objects)]))
+        message(?PERCEIVED, T, poses(T, [pose(O, pos_est) || O <- Objects]))
         | [
             message(maps:get({Id, Name}, Channels), T, #{value => real(Value)})
          || {Id, Name, Value} <- Values, is_float(Value)
