@@ -15,6 +15,11 @@ test('a case is named by its id, property and counts', () => {
   expect(caseTitle(shown)).toBe('case 0042 · no_collision · 2/212');
 });
 
+test('a flight by hand has no counts, and is not named twice', () => {
+  const flown = { ...shown, caseId: 'flown by hand', property: 'flown by hand', ncmdOriginal: 0 };
+  expect(caseTitle(flown)).toBe('case flown by hand');
+});
+
 test('the case shown comes first, once', () => {
   const known = [
     { id: '0041', title: 'older' },

@@ -97,11 +97,12 @@ export function caseOptions(known: readonly CaseName[], shown: CaseInfo | null, 
   return [{ value: id, label: caseTitle(shown) }, ...listed];
 }
 
+// A flight that no test made has no sequence that it was shrunk from.
 export function caseTitle(info: CaseInfo): string {
-  const counts = `${info.commands.length}/${info.ncmdOriginal}`;
   const property = info.property.replace(/^[^:]*:/, '').replace(/^prop_/, '');
   const name = info.caseId === '' ? 'unnamed case' : `case ${info.caseId}`;
-  return [name, property, info.commands.length === 0 ? '' : counts].filter((part) => part !== '').join(' · ');
+  const counts = info.ncmdOriginal > 0 ? `${info.commands.length}/${info.ncmdOriginal}` : '';
+  return [name, property === info.caseId ? '' : property, counts].filter((part) => part !== '').join(' · ');
 }
 
 export function summaryText(state: Pick<ViewerState, 'caseInfo' | 'frame'>): string {

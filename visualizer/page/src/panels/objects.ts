@@ -38,7 +38,7 @@ export function objectsPanel(context: Context): Panel {
     if (element.hidden) return;
     const { frame, faults, tUs, observer } = viewer.state;
     const unit = settings.value.length;
-    setText(caption, `True position in ${unit}, speed in ${unit}/s, distance of the perceived position`);
+    setText(caption, `Lengths in ${unit}, speed in ${unit}/s; error: from true to perceived`);
     for (const [column, cell] of heads) setSorted(cell, column, order);
     const all = rowsOf(frame?.objects ?? [], faults?.items ?? [], tUs, settings.value, order);
     while (rows.length < all.length) rows.push(newRow(body, context));

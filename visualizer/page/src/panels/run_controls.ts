@@ -45,7 +45,8 @@ function parameters(context: Context): Part {
     const present = caseParams(viewer.state.caseInfo).settings.get(name.value);
     if (present !== undefined) value.value = String(present);
   };
-  name.addEventListener('change', fill);
+  name.addEventListener('input', fill);
+  value.addEventListener('focus', () => value.select());
   const submit = (): void => {
     const number = Number(value.value);
     if (name.value === '') context.notify('name: expected that of a gain or parameter', true);

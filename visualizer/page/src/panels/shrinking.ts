@@ -29,7 +29,8 @@ export function shrinkingPanel(context: Context): Panel {
     element.hidden = caseInfo === null;
     if (caseInfo === null) return;
     const params = caseParams(caseInfo);
-    all.set('original / shrunk', `${caseInfo.ncmdOriginal} / ${caseInfo.commands.length}`);
+    const shrunk = caseInfo.ncmdOriginal > 0;
+    all.set('original / shrunk', shrunk ? `${caseInfo.ncmdOriginal} / ${caseInfo.commands.length}` : '–');
     all.set('shrink steps', params.shrinkSteps === null ? '–' : String(params.shrinkSteps));
     all.set('property', caseInfo.property || '–');
     all.set('seed', caseInfo.seed || '–');
