@@ -22,10 +22,16 @@ document(Title, Style, Body) ->
     ].
 
 %% @doc Text as it is written in an element or an attribute. Characters that HTML and XML do not
-%% have are shown as U+FFFD.
+%% have are shown as U+FFFD; bytes that are not UTF-8 are taken for Latin-1.
 -spec escape(unicode:chardata()) -> binary().
 escape(Text) ->
-    unicode:characters_to_binary([escaped(C) || C <- unicode:characters_to_list(Text)]).
+    unicode:characters_to_binary([escaped(C) || C <- characters(Text)]).
+
+characters(Text) ->
+    case unicode:characters_to_list(Text) of
+        Characters when is_list(Characters) -> Characters;
+        _ -> unicode:characters_to_list(Text, latin1)
+    end.
 
 escaped($<) -> "&lt;";
 escaped($>) -> "&gt;";

@@ -10,6 +10,9 @@ text_beyond_latin1_stays_test() ->
     Text = [16#1F4A5, $a, 16#E4],
     ?assertEqual(unicode:characters_to_binary(Text), faultcheck_html:escape(Text)).
 
+bytes_that_are_no_text_are_shown_as_latin1_test() ->
+    ?assertEqual(<<"a", 16#E4/utf8, "&lt;">>, faultcheck_html:escape(<<"a", 16#E4, "<">>)).
+
 control_characters_are_shown_as_one_that_stands_for_them_test() ->
     ?assertEqual(<<"a", 16#FFFD/utf8, "\n\tb">>, faultcheck_html:escape([$a, 0, $\n, $\t, $b])).
 
