@@ -166,3 +166,34 @@ it('the picture has each curve as a line within the plot, and its name', () => {
   expect(svg).toContain('M672 22L672 122');
   expect(svg).toContain('>Q4 velocity error</text>');
 });
+
+it('the legend goes on in further lines when one is full, above the plot', () => {
+  const surface = new SvgSurface();
+  const group = GROUPS[0] as Group;
+  const curves = curvesOf(group, [1, 2, 3, 4, 5, 6, 7]).map((curve) => ({
+    curve,
+    name: `Q${curve.object} ${curve.kind.name}`,
+    points: [0, 1],
+  }));
+  const area = { width: 924, span: { fromUs: 0, toUs: 8e6 } };
+  drawCurves(surface, {
+    area,
+    top: 0,
+    height: 300,
+    palette: testPalette,
+    group,
+    seconds: [0, 8],
+    curves,
+    endsS: [],
+  });
+  const svg = surface.document(924, 300, '');
+  const places = [...svg.matchAll(/<text x="([\d.]+)" y="([\d.]+)"[^>]*>Q\d/g)].map((match) =>
+    match.slice(1).map(Number),
+  );
+  expect(places).toHaveLength(14);
+  expect(places.every(([x]) => (x ?? 0) + 'Q1 position error'.length * 6.2 < 924)).toBe(true);
+  const lines = new Set(places.map(([, y]) => y));
+  expect(lines.size).toBeGreaterThan(1);
+  const top = Number(/d="M72 (\d+)L72 \d+/.exec(svg)?.[1]);
+  expect(Math.max(...places.map(([, y]) => y ?? 0))).toBeLessThan(top);
+});

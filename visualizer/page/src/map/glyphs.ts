@@ -6,7 +6,7 @@ import { circle, type Surface } from './surface';
 
 export const COPTER_RADIUS_M = 0.2; // centre to rotor, as drawn
 export const CAR_LENGTH_M = 0.5;
-const MIN_RADIUS_PX = 7;
+const MIN_RADIUS_PX = 5;
 const MAX_RADIUS_PX = 30;
 
 // Centre to rotor in CSS pixels; small and large scales keep glyphs readable.
