@@ -56,9 +56,11 @@ export class RunData {
         return;
       case 'VIZ_RISK':
         this.addRisk(message.value);
+        changed.add('time'); // another observer's contours may come while paused
         return;
       case 'VIZ_RANGE':
         this.addRanges(message.value);
+        changed.add('time');
         return;
       case 'VIZ_EVENT':
         if (!this.log.add(message.value)) return;
