@@ -50,7 +50,7 @@ setting() -> [add_copter, add_grid].
 %% is 1 in as many as may still come, and one more.
 weight(_, Command) when
     Command =:= fly_add; Command =:= fly_remove; Command =:= fly_command; Command =:= fly_set;
-    Command =:= fly_inject; Command =:= fly_clear
+    Command =:= fly_inject; Command =:= fly_clear; Command =:= fly_wait
 ->
     0;
 weight(#state{previous = setting} = S, add_copter) ->
@@ -258,6 +258,12 @@ fly_inject(Where, Model, Parameters, Trigger, Seed) ->
 fly_inject_next(#state{faults = Faults} = S, _, [Where, Model | _]) ->
     S#state{faults = Faults ++ [{named, all, {Where, Model}}]}.
 fly_inject_post(_S, _, Result) -> Result =:= ok.
+
+%% Time in which nobody flies, ms.
+fly_wait_args(_S) -> [100].
+fly_wait(Ms) -> copter_sut:iterate(Ms).
+fly_wait_post(_S, _, Outcome) -> Outcome =:= ok.
+fly_wait_duration([Ms]) -> Ms.
 
 %% The faults of one place end.
 fly_clear_args(_S) -> [{probe, <<"PxId0">>}].

@@ -1,11 +1,11 @@
 %% @doc What happens in a flight, and when: the commands of a sequence, or the events of a scenario,
 %% each with its simulated time.
 %%
-%% Calls are those of the model copter_eqc, so a plan is carried out as the sequence was. `iterate'
-%% stays among them: it is a command to be shown, and its time is that until the next one.
+%% Calls are those of the model copter_eqc, so a plan is carried out as the sequence was. Those that
+%% let time pass stay among them: they are to be shown, and their time is that until the next one.
 -module(copter_plan).
 
--export([from_commands/2, to_commands/3]).
+-export([from_commands/2, to_commands/3, is_time/1]).
 -export([read_scenario/1, settings/1]).
 -export_type([call/0, planned/0, plan/0, scenario/0]).
 
@@ -46,24 +46,38 @@ timed(Calls, Dt) ->
     ),
     #{planned => Planned, end_us => End}.
 
-lasting({iterate, [Ms]}, Dt) -> Ms * ?US_PER_MS div Dt * Dt;
-lasting(_, _) -> 0.
+lasting({Name, [Ms]}, Dt) when Name =:= iterate; Name =:= fly_wait ->
+    Ms * ?US_PER_MS div Dt * Dt;
+lasting(_, _) ->
+    0.
+
+%% @doc Whether all that a command does is to let time pass.
+-spec is_time(Name :: atom()) -> boolean().
+is_time(Name) -> Name =:= iterate orelse Name =:= fly_wait.
 
 %% @doc The sequence of what was done up to a time: the way back. Steps must not be shorter than a
-%% millisecond, for which iterate has no words.
+%% millisecond, for which iterate has no words. It also wants copters; without them it is fly_wait.
 -spec to_commands([planned()], End_us :: non_neg_integer(), Dt_us :: pos_integer()) ->
     [faultcheck_generator:command()].
 to_commands(Planned, End, Dt) when Dt >= ?US_PER_MS ->
-    Done = [{T, Call} || {T, _, {Name, _} = Call} <- Planned, Name =/= iterate],
-    numbered(passing(Done, 0, End, Dt)).
+    Done = [{T, Call} || {T, _, {Name, _} = Call} <- Planned, not is_time(Name)],
+    numbered(passing(Done, 0, End, 0)).
 
-passing([], Now, End, Dt) -> iterates(End - Now, Dt);
-passing([{T, Call} | Rest], Now, End, Dt) ->
-    iterates(T - Now, Dt) ++ [Call | passing(Rest, T, End, Dt)].
+passing([], Now, End, Copters) -> passes(End - Now, Copters);
+passing([{T, Call} | Rest], Now, End, Copters) ->
+    passes(T - Now, Copters) ++ [Call | passing(Rest, T, End, Copters + more(Call))].
 
-iterates(0, _) -> [];
+more({fly_remove, _}) -> -1;
+more({add_grid, [N, _]}) -> N;
+more({Name, _}) when Name =:= add_copter; Name =:= fly_add -> 1;
+more(_) -> 0.
+
 %% Rounded up to whole ms, of which whole steps are made.
-iterates(Us, _) -> [{iterate, [(Us + ?US_PER_MS - 1) div ?US_PER_MS]}].
+passes(0, _) -> [];
+passes(Us, 0) -> [{fly_wait, [ms(Us)]}];
+passes(Us, _) -> [{iterate, [ms(Us)]}].
+
+ms(Us) -> (Us + ?US_PER_MS - 1) div ?US_PER_MS.
 
 numbered(Calls) ->
     Numbers = lists:seq(1, length(Calls)),

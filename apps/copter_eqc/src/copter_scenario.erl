@@ -99,7 +99,9 @@ tell({add_copter, [Id, X, Y]}, #story{copters = Copters} = Story) ->
     Story#story{copters = [{Id, {X / 100, Y / 100}} | Copters]};
 tell({add_grid, [N, Seed]}, Story) ->
     Story#story{copters = lists:reverse(copter_world:grid(N, Seed))};
-tell({iterate, [Ms]}, #story{dt_us = Dt, t_us = Time} = Story) ->
+tell({Name, [Ms]}, #story{dt_us = Dt, t_us = Time} = Story) when
+    Name =:= iterate; Name =:= fly_wait
+->
     Story#story{t_us = Time + Ms * ?US_PER_MS div Dt * Dt};
 tell({steer, [Copter, RollAngle, PitchAngle, Turn]}, Story) ->
     {Roll, Pitch, Yaw} = copter_pilot:command(RollAngle, PitchAngle, Turn),

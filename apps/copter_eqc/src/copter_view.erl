@@ -227,7 +227,7 @@ perform({_, Index, Call}, #view{now = Now, done = Done} = View0) ->
     {Name, Args} = Call,
     View = before(Call, View0#view{done = [{Now, Index, Call} | Done]}),
     Event = event(command, #{t_us => Now, a => Index, text => call_text(Call)}),
-    case Name =:= iterate orelse apply(copter_eqc, Name, Args) of
+    case copter_plan:is_time(Name) orelse apply(copter_eqc, Name, Args) of
         true -> {[Event], View};
         ok -> after_call(Call, Event, View);
         Refused -> refused(text("~ts: ~0tp", [call_text(Call), Refused]), Event, View)

@@ -234,6 +234,21 @@ a_fork_of_the_example_can_be_stored_test() ->
         replay_player:close(P3),
     ?assertEqual(safe, copter_trial:run(copter_options:new(#{max_faults => 0}), Commands)).
 
+%% The sky may be empty for a while.
+a_flight_by_hand_is_a_sequence_of_its_property_test() ->
+    {_, P1} = wait(500000, live()),
+    {_, P2} = ask(<<"add_object">>, -1, [1.0, 1.0], <<>>, P1),
+    {_, P3} = wait(500000, P2),
+    {_, P4} = ask(<<"remove_object">>, 0, [], <<>>, P3),
+    {_, P5} = wait(500000, P4),
+    [{store, #{property := prop_copters_survive_faults, shrunk := [Commands]}, _}] =
+        replay_player:close(P5),
+    T = copter_sut:time_us(),
+    ?assertEqual([fly_wait, fly_add, iterate, fly_remove, fly_wait],
+                 [Name || {set, _, {call, copter_eqc, Name, _}} <- Commands]),
+    ?assertEqual(safe, copter_trial:run(copter_options:new(#{world => reference}), Commands)),
+    ?assertEqual(T, copter_sut:time_us()).
+
 %% Stored, opened again: it ends in the same moment with the same bits.
 a_fork_is_stored_and_played_again_test() ->
     in_folder(fun(Root) ->
