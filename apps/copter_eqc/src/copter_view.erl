@@ -324,7 +324,7 @@ info(#view{name = Name, live = Live, original = Stored} = View) ->
         code_version => version_of(View),
         ncmd_original => Original,
         commands => Commands,
-        params => faultcheck_json:encode(copter_view_params:of_view(parameters(View)))
+        params => copter_view_params:of_view(parameters(View))
     }.
 
 %% All that are planned, and those done by hand.

@@ -166,7 +166,11 @@ the_page_is_told_what_may_be_injected_and_set_test() ->
 a_scenario_is_flown_live_test() ->
     Dir = filename:join(code:priv_dir(copter_eqc), "counterexamples"),
     P0 = opened({view, live}, Dir),
-    {_, P1} = ask(<<"scenario">>, -1, [], <<"deaf_copter.json">>, P0),
+    {Told, Waited} = wait(100000, P0),
+    #{params := Params} = lists:last(of_type(case_info, Told)),
+    {ok, #{<<"scenarios">> := Names}} = faultcheck_json:decode(Params),
+    ?assert(lists:member(<<"deaf_copter.json">>, Names)),
+    {_, P1} = ask(<<"scenario">>, -1, [], <<"deaf_copter.json">>, Waited),
     {Out, P2} = wait(2000000, P1),
     ?assertMatch(#{mode := 1, verdict := 2, run := 2, t_us := 1415000},
                  lists:last(of_type(status, Out))),

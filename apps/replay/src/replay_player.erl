@@ -116,8 +116,15 @@ preview({Mod, State}) ->
 
 %% The run from time 0, on its way to a target.
 started(Target, #player{run = Run0} = P) ->
-    {Messages, Run} = replay_run:start(Run0),
+    {Messages, Run} = replay_run:start(replay_run:add(flyable(P), Run0)),
     {publish(Messages), P#player{run = Run, target = Target, ended = false, verdict = 0}}.
+
+%% What `scenario' takes.
+flyable(#player{options = #{token := none}}) ->
+    [];
+flyable(#player{options = #{scenarios := Dir}}) ->
+    Files = [F || F <- filelib:wildcard("*.json", Dir), replay_verb:is_file_name(F)],
+    [{scenarios, [{text, F} || F <- Files]}].
 
 again(Target, #player{run = Run} = P) ->
     Source = {replay_run:module_of(Run), replay_run:source(Run)},

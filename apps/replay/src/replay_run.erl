@@ -7,7 +7,7 @@
 
 -export([new/3, start/1, advance/2, show/3, again/1, changed/1]).
 -export([source/1, with_source/2, module_of/1, number/1, told/2, act/2]).
--export([observer/1, chosen/1, observe/2]).
+-export([observer/1, chosen/1, observe/2, add/2]).
 -export_type([run/0, message/0, pace/0, status/0]).
 
 -type message() :: {replay_lcm:type(), replay_lcm:message()}.
@@ -21,6 +21,8 @@
     frames = 0 :: non_neg_integer(),
     events = 0 :: non_neg_integer(),
     observer :: auto | replay_source:id(),
+    %% further members of `params' of VIZ_CASE
+    extra = [] :: [{atom(), faultcheck_json:json()}],
     world = none :: none | replay_source:world(),
     version = 0 :: non_neg_integer(),
     faults_key = none :: term(),
@@ -99,8 +101,11 @@ lasting(Pace, #run{source = {Mod, State}, number = Number} = Run0) ->
         {true, Due} ->
             Run = #run{version = Version} = with_world(Mod:world(State), Due),
             World = (Run#run.world)#{run => Number, version => Version},
-            {[{case_info, Mod:info(State)}, {world, World}], Run}
+            {[{case_info, info(Mod:info(State), Run)}, {world, World}], Run}
     end.
+
+info(#{params := {object, Members}} = Info, #run{extra = Extra}) ->
+    Info#{params := faultcheck_json:encode({object, Members ++ Extra})}.
 
 with_world(World, #run{world = World} = Run) -> Run;
 with_world(World, #run{version = Version} = Run) -> Run#run{world = World, version = Version + 1}.
@@ -179,6 +184,10 @@ with_source(State, #run{source = {Mod, _}} = Run) -> Run#run{source = {Mod, Stat
 
 -spec number(run()) -> pos_integer().
 number(#run{number = Number}) -> Number.
+
+%% @doc Adds members to `params' of VIZ_CASE, which docs/visualizer.md lists.
+-spec add([{atom(), faultcheck_json:json()}], run()) -> run().
+add(Members, #run{extra = Extra} = Run) -> Run#run{extra = Extra ++ Members}.
 
 %% @doc Whose contours are shown; -1: nobody's.
 -spec observer(run()) -> replay_source:id().

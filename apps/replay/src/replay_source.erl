@@ -23,7 +23,8 @@
 -type event() :: #{atom() => term()}.
 %% seg, anchors, polys
 -type world() :: #{atom() => term()}.
-%% case_id, property, seed, code_version, ncmd_original, commands, params (JSON)
+%% case_id, property, seed, code_version, ncmd_original, commands; params is an object with its
+%% members in order, {object, _} of faultcheck_json
 -type info() :: #{atom() => term()}.
 
 %% What open/1 takes; a source may know more.

@@ -2,7 +2,7 @@
 %% comes further. A refusal is one line that begins with the verb.
 -module(replay_verb).
 
--export([parse/1, token_fits/2]).
+-export([parse/1, token_fits/2, is_file_name/1]).
 -export_type([verb/0]).
 
 -type verb() ::
@@ -125,6 +125,10 @@ printable(Text) ->
 
 refused(Verb, Format, Args) ->
     {error, lists:flatten([printable(Verb), ": ", io_lib:format(Format, Args)])}.
+
+%% @doc Whether a file can be named.
+-spec is_file_name(string()) -> boolean().
+is_file_name(Name) -> re:run(Name, ?FILE_NAME, [dollar_endonly]) =/= nomatch.
 
 %% @doc Compares without telling by its time where the first difference is.
 -spec token_fits(binary(), binary()) -> boolean().

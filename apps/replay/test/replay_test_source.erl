@@ -50,7 +50,7 @@ is_live(#{live := Live}) -> Live.
 info(_) ->
     #{
         case_id => <<"test">>, property => <<>>, seed => <<>>, code_version => <<>>,
-        ncmd_original => 0, commands => [], params => <<"{}">>
+        ncmd_original => 0, commands => [], params => {object, []}
     }.
 
 world(_) -> #{seg => [], anchors => [], polys => []}.
