@@ -60,6 +60,7 @@ interface Viz {
 export async function openPage(url: string, options: BrowserContextOptions = {}): Promise<Opened> {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
   atEnd(() => context.close());
+  context.setDefaultTimeout(10_000);
   const page = await context.newPage();
   const errors: string[] = [];
   const requests: string[] = [];
@@ -93,7 +94,10 @@ const untilInPage = (look: string, limitMs: number): string => `new Promise((res
     const state = window.__viz?.state();
     if (state && (${look})(state)) resolve('');
     else if (performance.now() < end) requestAnimationFrame(ask);
-    else resolve(JSON.stringify({ ...state, frame: state?.frame?.seq, risk: null, world: null }).slice(0, 2000));
+    else {
+      const { badge, tUs, fromUs, toUs, run, playing, following, observer, events, connection } = state ?? {};
+      resolve(JSON.stringify({ badge, tUs, fromUs, toUs, run, playing, following, observer, events: events?.length, connection }));
+    }
   };
   ask();
 })`;

@@ -5,6 +5,7 @@ import type {
   Faults,
   Frame,
   Message,
+  Ranges,
   Risk,
   Status,
   VizEvent,
@@ -66,6 +67,11 @@ export function risk(tUs: number, count: number, observer = 1, run = 1): Risk {
       return { about, kind: 0, overlap: near, x: pos[0], y: pos[1], rx: 1.2, ry: 0.8, theta: 0.3, age: 0.1 };
     }),
   };
+}
+
+export function ranges(tUs: number, run = 1): Ranges {
+  const items = [100, 101].map((anchor, i) => ({ anchor, measured: 5 + i, expected: 5, used: i === 0 }));
+  return { tUs, run, object: 1, items };
 }
 
 export const world = (run = 1): World => ({
@@ -160,6 +166,7 @@ export function messagesAt(tUs: number, count: number, sinceUs: number): Message
   return [
     ...(due(1_000_000) ? everySecond : []),
     ...(due(200_000) ? [{ channel: 'VIZ_STATUS', value: status(tUs) } as const] : []),
+    ...(due(100_000) ? [{ channel: 'VIZ_RANGE', value: ranges(tUs) } as const] : []),
     ...happened.map((value) => ({ channel: 'VIZ_EVENT', value }) as const),
     { channel: 'VIZ_FRAME', value: frame(tUs, count) },
     { channel: 'VIZ_RISK', value: risk(tUs, count) },
