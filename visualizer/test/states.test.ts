@@ -55,7 +55,7 @@ describe('the badge', () => {
     const { opened, player } = await connected();
     await player.publish(says(0, { mode: 1, verdict: 0 }), shows(0));
     await opened.until((s) => s.badge === 'STALE', 5000);
-    expect(await badge(opened)).toMatch(/^STALE \d/);
+    await expect.poll(() => badge(opened)).toMatch(/^STALE \d/);
     await player.publish(shows(times[1] ?? 0));
     await opened.until((s) => s.badge === 'LIVE');
   });
