@@ -6,7 +6,7 @@
 -module(copter_plan).
 
 -export([from_commands/2, to_commands/3, is_time/1]).
--export([read_scenario/1, settings/1]).
+-export([read_scenario/1]).
 -export_type([call/0, planned/0, plan/0, scenario/0]).
 
 -type call() :: {Name :: atom(), Args :: [term()]}.
@@ -139,8 +139,7 @@ by_time(Events) ->
 %% Between two steps: on the next one.
 up(T, Dt) -> (T + Dt - 1) div Dt * Dt.
 
-%% @doc What a decoded scenario begins with.
--spec settings(#{binary() => faultcheck_json:decoded()}) -> copter_sut:settings().
+%% What a decoded scenario begins with.
 settings(Json) ->
     Dt = maps:get(<<"dt_us">>, Json),
     World = maps:get(<<"world">>, Json, #{}),

@@ -4,7 +4,7 @@
 %% The calling process shows, and waits as long as that takes.
 -module(replay_broadcast).
 
--export([open/1, show/3, close/1]).
+-export([open/1, show/3]).
 -export_type([broadcast/0]).
 
 -record(broadcast, {lcm :: replay_lcm_udp:lcm(), number :: pos_integer()}).
@@ -60,6 +60,3 @@ publish(Out, #broadcast{lcm = Lcm}) ->
         end,
         Out
     ).
-
--spec close(broadcast()) -> ok.
-close(#broadcast{lcm = Lcm}) -> replay_lcm_udp:close(Lcm).

@@ -8,7 +8,7 @@
 %% by its number; until the moment wanted is reached, it is told ten frames a simulated second.
 -module(replay_player).
 
--export([open/2, wake/2, next_wake/1, control/4, refresh/1, close/1, mode/1]).
+-export([open/2, wake/2, next_wake/1, control/4, refresh/1, close/1]).
 -export([has_ended/1, first_number/0]).
 -export_type([player/0, options/0, out/0, opening/0]).
 
@@ -306,8 +306,7 @@ has_ended(#player{ended = Ended}) -> Ended.
 -spec first_number() -> pos_integer().
 first_number() -> erlang:system_time(second) band ?RUN_MASK.
 
-%% @doc Whether a person flies.
--spec mode(player()) -> live | replay.
+%% Whether a person flies.
 mode(#player{run = Run}) ->
     case (replay_run:module_of(Run)):is_live(replay_run:source(Run)) of
         true -> live;

@@ -111,7 +111,7 @@ scheduled(#state{timer = Before, player = Player} = State) ->
 terminate(_, #state{player = Player, lcm = Lcm} = State) ->
     Out = replay_player:close(Player),
     _ = perform([O || O <- Out, element(1, O) =/= store], State),
-    [stored(Case, Files, fun recorded/2, State) || {store, Case, Files} <- Out],
+    _ = [ok = stored(Case, Files, fun recorded/2, State) || {store, Case, Files} <- Out],
     replay_lcm_udp:close(Lcm).
 
 perform(Out, State) -> lists:foldl(fun perform_one/2, State, Out).
@@ -140,7 +140,7 @@ failed(Line, #state{say = Say} = State) ->
 stored(Case, Files, Record, #state{cases = Cases, say = Say}) ->
     case faultcheck_case:write(Cases, Case) of
         {ok, Dir} ->
-            [ok = replaced(filename:join(Dir, Name), Text) || {Name, Text} <- Files],
+            _ = [ok = replaced(filename:join(Dir, Name), Text) || {Name, Text} <- Files],
             _ = Say("stored this flight as " ++ Dir),
             _ = Record(Dir, Say),
             ok;

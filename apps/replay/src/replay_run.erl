@@ -7,7 +7,7 @@
 
 -export([new/3, start/1, advance/2, show/3, again/1, changed/1]).
 -export([source/1, with_source/2, module_of/1, number/1, told/2, act/2]).
--export([observer/1, chosen/1, observe/2, add/2]).
+-export([chosen/1, observe/2, add/2]).
 -export_type([run/0, message/0, pace/0, status/0]).
 
 -type message() :: {replay_lcm:type(), replay_lcm:message()}.
@@ -189,12 +189,11 @@ number(#run{number = Number}) -> Number.
 -spec add([{atom(), faultcheck_json:json()}], run()) -> run().
 add(Members, #run{extra = Extra} = Run) -> Run#run{extra = Extra ++ Members}.
 
-%% @doc Whose contours are shown; -1: nobody's.
--spec observer(run()) -> replay_source:id().
+%% Whose contours are shown; -1: nobody's.
 observer(#run{observer = auto, source = {Mod, State}}) -> Mod:observer(State);
 observer(#run{observer = Id}) -> Id.
 
-%% @doc The same as it was chosen.
+%% @doc Who was chosen to be observed.
 -spec chosen(run()) -> auto | replay_source:id().
 chosen(#run{observer = Observer}) -> Observer.
 
