@@ -237,3 +237,16 @@ test('a picture of the map is saved by P', async () => {
   await download.saveAs(path);
   expect([...readFileSync(path).subarray(0, 8)]).toEqual([137, 80, 78, 71, 13, 10, 26, 10]);
 });
+
+test('the chosen speed is remembered', async () => {
+  const { page, until } = await openLog(sceneLog());
+  await page.getByLabel('Speed').selectOption('0.25');
+  await until((s) => s.speed === 0.25);
+  await page.reload();
+  await page.locator('input[type=file]').setInputFiles({
+    name: 'scene.lcm',
+    mimeType: 'application/octet-stream',
+    buffer: Buffer.from(sceneLog()),
+  });
+  await until((s) => s.badge === 'FILE' && s.speed === 0.25);
+});

@@ -16,7 +16,7 @@ export interface HeaderActions {
   vector(): void;
   theme(): void;
   help(): void;
-  drawer(side: 'left' | 'right'): HTMLButtonElement['ariaExpanded'];
+  drawer(side: 'left' | 'right'): 'true' | 'false'; // answers whether it is now open
   chooseCase(id: string): void;
   listCases: (() => Promise<readonly CaseName[]>) | undefined;
 }

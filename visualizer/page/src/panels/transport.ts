@@ -1,5 +1,6 @@
 // The bar with which time is moved.
 
+import type { SourceKind } from '../model/viewer';
 import { button, el, setHidden, setOptions, setText } from '../shell/dom';
 import { type IconName, icon } from '../shell/icons';
 import { speeds } from '../shell/settings';
@@ -9,6 +10,7 @@ import type { Context, Panel } from './panel';
 export interface Transport extends Panel {
   toStart(): void;
   toggleLoop(): void;
+  speed(): number; // that of what is seen
   setSpeed(factor: number): void;
 }
 
@@ -42,11 +44,17 @@ export function transportPanel(context: Context): Transport {
 
   // Of a file, as far as it goes back; a player has it all.
   const toStart = (): void => viewer.seek(viewer.state.connection.kind === 'file' ? viewer.state.fromUs : 0);
+  let source: SourceKind = 'none';
   let lastLoop: { fromUs: number; toUs: number } | null = null;
   const toggleLoop = (): void => {
     const { loop: now, fromUs, toUs } = viewer.state;
     if (now !== null) viewer.setLoop(null);
     else if (toUs > fromUs) viewer.setLoop(lastLoop ?? { fromUs, toUs });
+  };
+  // At the edge of live data it is the player's, who may have been asked by another page.
+  const speedSeen = (): number => {
+    const { following, status, speed: own } = viewer.state;
+    return following && status !== null ? Number(status.speed.toPrecision(6)) : own; // a 32-bit float
   };
   const setSpeed = (factor: number): void => {
     viewer.setSpeed(factor);
@@ -64,10 +72,12 @@ export function transportPanel(context: Context): Transport {
   const update = (): void => {
     const { state } = viewer;
     const empty = state.frame === null;
+    if (state.connection.kind === 'file' && source !== 'file') viewer.setSpeed(settings.value.speed);
+    source = state.connection.kind;
     for (const control of [start, back, play, next, loop, previousEvent, nextEvent]) control.disabled = empty;
     showPlaying(play, state.playing);
     setText(time, empty ? '–' : timeText(state.tUs, state.durationUs, state.badge === 'LIVE'));
-    setOptions(speed, speedOptions(state.speed), String(state.speed));
+    setOptions(speed, speedOptions(speedSeen()), String(speedSeen()));
     if (state.loop !== null) lastLoop = state.loop;
     loop.setAttribute('aria-pressed', String(state.loop !== null));
     stop.checked = state.stopAtCollision;
@@ -86,6 +96,7 @@ export function transportPanel(context: Context): Transport {
     topics: ['time', 'playback', 'status', 'buffer', 'source'],
     everyMs: 33,
     update,
+    speed: speedSeen,
     toStart,
     toggleLoop,
     setSpeed,

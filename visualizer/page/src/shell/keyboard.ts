@@ -78,10 +78,10 @@ function perform(action: Action, context: Context, targets: KeyTargets): void {
       viewer.seekEvent(action.by);
       return;
     case 'slower':
-      targets.transport.setSpeed(nextSpeed(speeds, state.speed, -1));
+      targets.transport.setSpeed(nextSpeed(speeds, targets.transport.speed(), -1));
       return;
     case 'faster':
-      targets.transport.setSpeed(nextSpeed(speeds, state.speed, 1));
+      targets.transport.setSpeed(nextSpeed(speeds, targets.transport.speed(), 1));
       return;
     case 'loop':
       targets.transport.toggleLoop();
