@@ -68,7 +68,10 @@ included() {
     docs) [[ $1 = docs ]] ;;
     coverage) [[ $1 = native || $1 = demo || $1 = coverage ]] ;;
     test | all) true ;;
-    *) echo "setup: unknown purpose '$purpose' (native, demo, visualizer, bench, test, coverage, docs or all)" >&2; exit 2 ;;
+    *)
+      echo "setup: unknown purpose '$purpose' (native, demo, visualizer, bench, test, coverage, docs or all)" >&2
+      exit 2
+      ;;
   esac
 }
 

@@ -3,8 +3,8 @@
 #
 #   scripts/visualizer.sh [CASE]     a stored case; without it an example
 #
-# LIVE=1 flies live in an empty world, SCENARIO=FILE in that of a scenario; ORIGINAL=1 plays the failure as it was found.
-# PORT is that of the web server (8765). One of the two that ends is started again, unless it ends at once.
+# LIVE=1 flies live in an empty world, SCENARIO=FILE in that of a scenario; ORIGINAL=1 plays the failure as it was
+# found. PORT is that of the web server (8765). One of the two that ends is started again, unless it ends at once.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 case=${1:-}
