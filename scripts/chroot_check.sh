@@ -53,12 +53,19 @@ mount -t proc proc "$top/proc"
 mount --rbind /dev "$top/dev"
 mount --bind "$packages" "$top/var/cache/apt/archives"
 cp /etc/resolv.conf "$top/etc/resolv.conf"
+# Behind a proxy with a certificate of its own npm has to know it.
+certificates=
+if [ -n "${NODE_EXTRA_CA_CERTS:-}" ]; then
+  certificates=/etc/ssl/extra-certificates.pem
+  cp "$NODE_EXTRA_CA_CERTS" "$top$certificates"
+fi
 echo 'APT::Keep-Downloaded-Packages "true";' >"$top/etc/apt/apt.conf.d/90keep"
 
 inside() { # inside USER COMMAND: in the user's home, with nothing of this shell's environment
   local home=/home/$1
   [ "$1" = root ] && home=/root
   chroot --userspec="$1:$1" "$top" /usr/bin/env -i HOME="$home" USER="$1" LOGNAME="$1" CI=true LANG=C.UTF-8 TERM=dumb \
+    NODE_EXTRA_CA_CERTS="$certificates" \
     PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin bash -c "cd $home && $2"
 }
 clone_for() {
