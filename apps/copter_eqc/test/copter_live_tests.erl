@@ -67,7 +67,8 @@ two_copters() ->
 
 copters_come_and_go_test() ->
     {Out, P1} = wait(100000, two_copters()),
-    #{pos := [-3.0, 0.0, _]} = object(0, Out),
+    #{pos := [-3.0, Y, _]} = object(0, Out),
+    ?assert(Y == 0),
     {_, P2} = ask(<<"remove_object">>, 0, [], <<>>, P1),
     {More, P3} = wait(100000, P2),
     #{objects := [#{id := 1}]} = lists:last(of_type(frame, More)),
