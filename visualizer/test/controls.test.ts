@@ -166,6 +166,24 @@ describe('the forms', () => {
   });
 });
 
+test('a fork begins at the moment that is looked at, where the player goes first', async () => {
+  const run = await live();
+  const { player, opened, page } = run;
+  for (const tUs of [250_000, 500_000, 750_000, 1_000_000])
+    await player.publish(...messagesAt(tUs, 4, tUs - 1));
+  const there = { mode: 2, paused: true, controlAllowed: true };
+  await player.publish({ channel: 'VIZ_STATUS', value: status(1_000_000, there) });
+  await opened.until((s) => s.toUs === 1_000_000 && s.status?.tUs === 1_000_000 && !s.controlAllowed);
+  await page.keyboard.press('Home');
+  await page.keyboard.press('.');
+  await opened.until((s) => s.tUs === 250_000);
+  await page.getByRole('button', { name: 'Fork from here' }).click();
+  expect((await run.asked('seek')).args).toEqual([0.25]);
+  expect(player.controls.some(({ verb }) => verb === 'fork')).toBe(false);
+  await player.publish({ channel: 'VIZ_STATUS', value: status(250_000, there) });
+  await run.asked('fork');
+});
+
 describe('a report', () => {
   test('opens without a network and shows the same', async () => {
     const { page, state } = await openLog(sceneLog(), { acceptDownloads: true });

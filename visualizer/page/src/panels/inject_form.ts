@@ -3,6 +3,7 @@
 import { button, el, labelled, newId, setHidden, setOptions, setText } from '../shell/dom';
 import { caseParams } from './case_params';
 import { type Field, fieldsOf, findModel, injection, modelsOf, probeUnit } from './fault_catalogue';
+import { forkHere } from './fork';
 import { objectName } from './format';
 import { act, type Context, type Panel } from './panel';
 import { type Place, places } from './probes';
@@ -55,7 +56,7 @@ class InjectForm {
 
   constructor(private readonly context: Context) {
     this.clear = button('Clear all', () => void act(context, 'clear_faults'));
-    this.fork = button('Fork from here', () => void act(context, 'fork'), {
+    this.fork = button('Fork from here', () => void forkHere(context), {
       title: 'Continue live from this instant; it is recorded as a new case',
     });
     this.object.addEventListener('change', () => this.showProbes());
