@@ -36,7 +36,8 @@ done
 # enough unless more is asked for.
 if check "fuzz targets of the visualizer build" scripts/build_visualizer.sh fuzz; then
   for target in packet fragments log message protocol; do
-    check "viz_$target" fuzz "viz_$target" node _build/visualizer/fuzz.mjs "$target" "${FUZZ_SECONDS:-3}" "${FUZZ_RUNS:-}" 3>&1
+    check "viz_$target" fuzz "viz_$target" \
+      node _build/visualizer/fuzz.mjs "$target" "${FUZZ_SECONDS:-3}" "${FUZZ_RUNS:-}" 3>&1
   done
 fi
 

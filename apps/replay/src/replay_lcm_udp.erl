@@ -145,9 +145,9 @@ send(Socket, {Ip, Port} = To, [Packet | Rest], Where) ->
     end.
 
 %% @doc What an Erlang message of this process means; see above. By unicast, senders that are not of
-%% this host are not heard unless the network is allowed. By multicast only the loopback interface is
-%% heard; there a sender of this host may have any of its addresses: programs of liblcm have that of
-%% another interface.
+%% this host are not heard unless the network is allowed. By multicast only the loopback interface
+%% is heard; there a sender of this host may have any of its addresses: programs of liblcm have that
+%% of another interface.
 -spec incoming(term(), lcm()) ->
     {message, Channel :: binary(), Payload :: binary(), from(), lcm()}
     | {bad, replay_lcm:line(), from(), lcm()}

@@ -135,6 +135,8 @@ hostile_packets_are_one_line_test_() ->
          [First, fragment(11, 5, 1, 2, <<"67890">>)]},
         {"fragment 0 came twice, different",
          [First, fragment(10, 0, 0, 2, <<"C", 0, "1234X">>)]},
-        {"fragments overlap in a message of 10 bytes", [First, fragment(10, 4, 1, 2, <<"567890">>)]},
-        {"fragments leave gaps in a message of 10 bytes", [First, fragment(10, 6, 1, 2, <<"7890">>)]}
+        {"fragments overlap in a message of 10 bytes",
+         [First, fragment(10, 4, 1, 2, <<"567890">>)]},
+        {"fragments leave gaps in a message of 10 bytes",
+         [First, fragment(10, 6, 1, 2, <<"7890">>)]}
     ]].
