@@ -45,7 +45,7 @@ export interface Opened {
   errors: string[]; // of the console and uncaught ones
   requests: string[];
   state<T>(look: (state: ViewerState) => T): Promise<T>;
-  until(look: (state: ViewerState) => unknown, limitMs?: number): Promise<void>; // look must be self-contained
+  until(look: ((state: ViewerState) => unknown) | string, limitMs?: number): Promise<void>; // look must be self-contained
   stats(): Promise<MapStats>;
   renderer(): Promise<number>; // process id of the page
 }
@@ -134,6 +134,7 @@ export interface BridgeProcess {
   port: number;
   group: string;
   cases: string;
+  tokenFile: string;
   lines: string[];
   said: Changes;
   pid(): number;
@@ -153,12 +154,13 @@ export async function startBridge(settings: BridgeSettings = {}): Promise<Bridge
     mkdirSync(join(cases, id), { recursive: true });
     writeFileSync(join(cases, id, 'run.lcm'), log);
   }
+  const tokenFile = join(folder, 'token');
   const group = `239.255.76.67:${await freePort()}`;
   const lines: string[] = [];
   const said = new Changes();
   let child: ChildProcess | null = null;
   const start = async (port: number): Promise<number> => {
-    const control = settings.control ? ['--allow-control', '--token-file', join(folder, 'token')] : [];
+    const control = settings.control ? ['--allow-control', '--token-file', tokenFile] : [];
     const before = lines.length;
     const program = spawn(
       node,
@@ -207,6 +209,7 @@ export async function startBridge(settings: BridgeSettings = {}): Promise<Bridge
     port,
     group,
     cases,
+    tokenFile,
     lines,
     said,
     pid: () => child?.pid ?? 0,

@@ -1,0 +1,111 @@
+// The whole chain: the real player (bin/faultcheck play), the real bridge, the page. Needs the Erlang side built.
+
+import { type ChildProcess, spawn } from 'node:child_process';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { describe, expect, test } from 'vitest';
+import { atEnd, type BridgeProcess, expectNoErrors, type Opened, openPage, startBridge } from './harness';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+
+interface PlayerProcess {
+  kill(): Promise<void>;
+}
+
+function startPlayer({ group, cases, tokenFile }: BridgeProcess, ...options: string[]): PlayerProcess {
+  const place = ['--group', `udpm://${group}?ttl=0`, '--cases', cases];
+  const control = ['--allow-control', '--token-file', tokenFile];
+  const program: ChildProcess = spawn(
+    join(root, 'bin/faultcheck'),
+    ['play', ...place, ...control, ...options],
+    {
+      stdio: 'ignore',
+    },
+  );
+  const gone = new Promise<void>((resolve) => program.once('exit', () => resolve()));
+  const kill = (): Promise<void> => {
+    program.kill('SIGKILL');
+    return gone;
+  };
+  atEnd(kill);
+  return { kill };
+}
+
+async function chain(
+  ...options: string[]
+): Promise<{ opened: Opened; bridge: BridgeProcess; player: PlayerProcess }> {
+  const bridge = await startBridge({ control: true });
+  const player = startPlayer(bridge, ...options);
+  const opened = await openPage(bridge.url);
+  await opened.until((s) => s.frame !== null && s.status !== null, 20_000);
+  return { opened, bridge, player };
+}
+
+describe('a replay', () => {
+  test('is played and recovers from a bridge and from a player that are killed', async () => {
+    const { opened, bridge, player } = await chain();
+    await opened.until((s) => s.badge === 'REPLAY' && s.caseInfo !== null && s.world !== null);
+    const run = await opened.state((s) => s.run);
+    await bridge.kill();
+    await opened.until((s) => s.badge === 'DISCONNECTED');
+    await bridge.restart();
+    await opened.until((s) => s.connection.connected && s.badge !== 'DISCONNECTED');
+    await player.kill();
+    startPlayer(bridge);
+    const later = `(s) => s.run !== ${run} && s.frame !== null && s.badge === 'REPLAY'`;
+    await opened.until(later, 20_000);
+    expect(opened.errors.filter((line) => !/ERR_CONNECTION_REFUSED|WebSocket connection/.test(line))).toEqual(
+      [],
+    );
+  });
+
+  test('is forked into a live run that may be changed', async () => {
+    const { opened } = await chain();
+    await opened.until((s) => s.badge === 'REPLAY' && s.tUs > 200_000);
+    expect(await opened.state((s) => s.controlReason)).toMatch(/replay/);
+    await opened.page.getByRole('button', { name: 'Fork from here' }).click();
+    await opened.until((s) => s.badge === 'LIVE' && s.controlAllowed, 20_000);
+    expectNoErrors(opened);
+  });
+});
+
+// An empty world with one copter that the page has added.
+async function flight(): Promise<Opened> {
+  const { opened } = await chain('--live');
+  await opened.until((s) => s.badge === 'LIVE' && s.controlAllowed);
+  await opened.page.getByText('Objects', { exact: true }).last().click(); // unfolds the form
+  await opened.page.getByRole('button', { name: 'Add', exact: true }).click();
+  await opened.until((s) => s.frame?.objects.length === 1);
+  await opened.page.keyboard.press('Escape');
+  await opened.page.evaluate('document.activeElement.blur()');
+  if ((await opened.state((s) => s.observer)) < 0) await opened.page.keyboard.press('n');
+  await opened.until((s) => s.observer >= 0);
+  return opened;
+}
+
+describe('a live flight', () => {
+  test('shows what steering does, and marks who is steered until the key is released', async () => {
+    const opened = await flight();
+    await opened.page.getByRole('img', { name: /^Map/ }).focus();
+    await opened.page.keyboard.down('w');
+    const observed = `s.frame?.objects.find(({ id }) => id === s.observer)`;
+    await opened.until(
+      `(s) => { const o = ${observed}; return (o?.flags & 16) && Math.hypot(o.vel[0], o.vel[1]) > 0.05; }`,
+    );
+    await opened.page.keyboard.up('w');
+    await opened.until(`(s) => { const o = ${observed}; return o && !(o.flags & 16); }`);
+    expectNoErrors(opened);
+  });
+
+  test('shows a fault that the form injects: in the list, on the copter, in what it perceives', async () => {
+    const opened = await flight();
+    const form = opened.page.getByRole('region', { name: 'Inject fault' });
+    await form.getByRole('textbox', { name: 'constant' }).fill('2');
+    await form.getByRole('button', { name: 'Inject' }).click();
+    await opened.until((s) => (s.faults?.items.length ?? 0) === 1 && s.faults?.items[0]?.type === 'offset');
+    await opened.until((s) => s.frame?.objects.some(({ flags }) => (flags & 4) !== 0) ?? false);
+    await form.getByRole('button', { name: 'Clear all' }).click();
+    await opened.until((s) => s.frame?.objects.every(({ flags }) => (flags & 4) === 0) ?? false);
+    expectNoErrors(opened);
+  });
+});
