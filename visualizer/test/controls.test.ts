@@ -268,3 +268,15 @@ test('the chosen speed is remembered', async () => {
   });
   await until((s) => s.badge === 'FILE' && s.speed === 0.25);
 });
+
+test('a stored case of the bridge is chosen at the top, and opened as a file when there is no player', async () => {
+  const bridge = await startBridge({ cases: { [caseId]: sceneLog() } });
+  const { page, until, errors } = await openPage(bridge.url);
+  await until((s) => s.connection.connected);
+  const chooser = page.getByLabel('Case', { exact: true }).and(page.locator('select'));
+  await chooser.focus();
+  await chooser.locator(`option[value="${caseId}"]`).waitFor({ state: 'attached' });
+  await chooser.selectOption(caseId);
+  await until((s) => s.badge === 'FILE' && s.collisions.length === 1);
+  expect(errors).toEqual([]);
+});
