@@ -42,7 +42,9 @@ if check "fuzz targets of the visualizer build" scripts/build_visualizer.sh fuzz
 fi
 
 # The same readers in Erlang, no instrumentation either.
-lcm_fuzz() { ERL_LIBS=_build/default/lib apps/replay/fuzz/replay_fuzz.escript "$1" "${FUZZ_SECONDS:-3}" "${FUZZ_RUNS:-}"; }
+lcm_fuzz() {
+  ERL_LIBS=_build/default/lib apps/replay/fuzz/replay_fuzz.escript "$1" "${FUZZ_SECONDS:-3}" "${FUZZ_RUNS:-}"
+}
 if check "the Erlang side builds" rebar3 compile; then
   for target in message packet fragments log; do
     check "lcm_$target" fuzz "lcm_$target" lcm_fuzz "$target" 3>&1
