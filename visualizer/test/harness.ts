@@ -218,6 +218,26 @@ export async function startBridge(settings: BridgeSettings = {}): Promise<Bridge
   };
 }
 
+export interface Program {
+  kill(): Promise<void>;
+}
+
+// The real player, bin/faultcheck play, for this bridge; it may be controlled. Needs the Erlang side built.
+export function startProgram({ group, cases, tokenFile }: BridgeProcess, ...options: string[]): Program {
+  const place = ['--group', `udpm://${group}?ttl=0`, '--cases', cases];
+  const control = ['--allow-control', '--token-file', tokenFile];
+  const program = spawn(join(root, 'bin/faultcheck'), ['play', ...place, ...control, ...options], {
+    stdio: 'ignore',
+  });
+  const gone = new Promise<void>((resolve) => program.once('exit', () => resolve()));
+  const kill = (): Promise<void> => {
+    program.kill('SIGKILL');
+    return gone;
+  };
+  atEnd(kill);
+  return { kill };
+}
+
 export type Player = Awaited<ReturnType<typeof startPlayer>> & { answerAll(): void };
 
 // Publishes to the bridge's group, and hears what pages ask.

@@ -1,41 +1,21 @@
 // The whole chain: the real player (bin/faultcheck play), the real bridge, the page. Needs the Erlang side built.
 
-import { type ChildProcess, spawn } from 'node:child_process';
-import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { describe, expect, test } from 'vitest';
-import { atEnd, type BridgeProcess, expectNoErrors, type Opened, openPage, startBridge } from './harness';
-
-const root = fileURLToPath(new URL('../..', import.meta.url));
-
-interface PlayerProcess {
-  kill(): Promise<void>;
-}
-
-function startPlayer({ group, cases, tokenFile }: BridgeProcess, ...options: string[]): PlayerProcess {
-  const place = ['--group', `udpm://${group}?ttl=0`, '--cases', cases];
-  const control = ['--allow-control', '--token-file', tokenFile];
-  const program: ChildProcess = spawn(
-    join(root, 'bin/faultcheck'),
-    ['play', ...place, ...control, ...options],
-    {
-      stdio: 'ignore',
-    },
-  );
-  const gone = new Promise<void>((resolve) => program.once('exit', () => resolve()));
-  const kill = (): Promise<void> => {
-    program.kill('SIGKILL');
-    return gone;
-  };
-  atEnd(kill);
-  return { kill };
-}
+import {
+  type BridgeProcess,
+  expectNoErrors,
+  type Opened,
+  openPage,
+  type Program,
+  startBridge,
+  startProgram,
+} from './harness';
 
 async function chain(
   ...options: string[]
-): Promise<{ opened: Opened; bridge: BridgeProcess; player: PlayerProcess }> {
+): Promise<{ opened: Opened; bridge: BridgeProcess; player: Program }> {
   const bridge = await startBridge({ control: true });
-  const player = startPlayer(bridge, ...options);
+  const player = startProgram(bridge, ...options);
   const opened = await openPage(bridge.url);
   await opened.until((s) => s.frame !== null && s.status !== null, 20_000);
   return { opened, bridge, player };
@@ -51,7 +31,7 @@ describe('a replay', () => {
     await bridge.restart();
     await opened.until((s) => s.connection.connected && s.badge !== 'DISCONNECTED');
     await player.kill();
-    startPlayer(bridge);
+    startProgram(bridge);
     const later = `(s) => s.run !== ${run} && s.frame !== null && s.badge === 'REPLAY'`;
     await opened.until(later, 20_000);
     expect(opened.errors.filter((line) => !/ERR_CONNECTION_REFUSED|WebSocket connection/.test(line))).toEqual(
