@@ -21,7 +21,8 @@ const deadBytes = 32 * 1024 * 1024;
 const droppable: ReadonlySet<string> = new Set(['VIZ_FRAME', 'VIZ_RISK', 'VIZ_RANGE']);
 
 const requestsPerSecond = 50;
-const refusalsToClose = 100;
+// So many refusals at once, and one a second after that, are borne.
+const refusalsBorne = 100;
 
 export interface ClientEvents {
   control: (client: Client, request: ControlRequest) => void;
@@ -35,8 +36,8 @@ export class Client {
   private readonly journal: Journal;
   private readonly token: string | null;
   private readonly waiting = new Map<string, Uint8Array>(); // channel: newest that was held back
-  private readonly budget = new Budget(requestsPerSecond);
-  private refusals = 0;
+  private readonly requests = new Budget(requestsPerSecond, requestsPerSecond);
+  private readonly refusals = new Budget(refusalsBorne, 1);
 
   constructor(socket: WebSocket, name: string, token: string | null, journal: Journal, events: ClientEvents) {
     this.socket = socket;
@@ -96,7 +97,7 @@ export class Client {
     if (binary) return this.refuse(-1, 'a binary message, expected text');
     if (data.length > maxRequestBytes)
       return this.refuse(-1, `a request of more than ${maxRequestBytes} bytes`);
-    if (!this.budget.take()) return this.refuse(-1, `more than ${requestsPerSecond} requests a second`);
+    if (!this.requests.take()) return this.refuse(-1, `more than ${requestsPerSecond} requests a second`);
     const request = parseRequest(data.toString('utf8'));
     if (typeof request === 'string') return this.refuse(-1, request);
     const problem = this.problemOf(request);
@@ -115,25 +116,26 @@ export class Client {
     this.journal.refused('control', `${this.name}: ${text}`);
     const refused: Refused = { seq, text };
     this.text({ refused });
-    this.refusals += 1;
-    if (this.refusals >= refusalsToClose) this.socket.close(1008, 'too many requests were refused');
+    if (!this.refusals.take()) this.socket.close(1008, 'too many requests were refused');
   }
 }
 
-// So many a second, evenly refilled.
+// So many at once, evenly refilled.
 class Budget {
   private left: number;
-  private readonly perSecond: number;
   private filledMs = performance.now();
+  private readonly most: number;
+  private readonly perSecond: number;
 
-  constructor(perSecond: number) {
+  constructor(most: number, perSecond: number) {
+    this.most = most;
     this.perSecond = perSecond;
-    this.left = perSecond;
+    this.left = most;
   }
 
   take(): boolean {
     const now = performance.now();
-    this.left = Math.min(this.perSecond, this.left + ((now - this.filledMs) / 1000) * this.perSecond);
+    this.left = Math.min(this.most, this.left + ((now - this.filledMs) / 1000) * this.perSecond);
     this.filledMs = now;
     if (this.left < 1) return false;
     this.left -= 1;
