@@ -47,6 +47,16 @@ describe('a replay', () => {
     await opened.until((s) => s.badge === 'LIVE' && s.controlAllowed, 20_000);
     expectNoErrors(opened);
   });
+
+  test('is forked where the page looks, also when the player is elsewhere', async () => {
+    const { opened } = await chain();
+    await opened.until((s) => s.badge === 'REPLAY' && s.tUs > 1_500_000);
+    await opened.page.getByRole('slider', { name: 'Time' }).focus();
+    await opened.page.keyboard.press('Shift+ArrowLeft');
+    await opened.until((s) => !s.following);
+    await opened.page.getByRole('button', { name: 'Fork from here' }).click();
+    await opened.until((s) => s.badge === 'LIVE' && s.controlAllowed, 20_000);
+  });
 });
 
 // An empty world with one copter that the page has added.

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import { readLog } from '../codec/log';
 import { atEnd, expectNoErrors, joinPlayer, openPage, startBridge, temporaryFolder } from './harness';
-import { frame, messagesAt, sceneLog, times } from './scene';
+import { frame, frameHz, messagesAt, sceneLog, times } from './scene';
 
 test('lcm-logplayer: the page shows the last frame of the log, and all events', async () => {
   const bridge = await startBridge();
@@ -43,10 +43,10 @@ test('lcm-logger: records every message, with the same bytes', async () => {
     await player.publish(...hello);
     await pause(10);
   }
-  // Four times as fast as the flight: the logger keeps few messages that wait.
+  // As fast as the flight: the logger keeps few messages that wait.
   for (const [i, tUs] of times.entries()) {
     if (i > 0) await player.publish(...messagesAt(tUs, 4, times[i - 1] ?? -1));
-    await pause(4);
+    await pause(1000 / frameHz);
   }
   const ended = new Promise((resolve) => logger.once('exit', resolve));
   const last = Buffer.from(readLog(sceneLog()).messages.at(-1)?.data ?? []);

@@ -11,8 +11,10 @@ const patienceMs = 30_000;
 
 export async function forkHere(context: Context): Promise<void> {
   const { viewer } = context;
-  const { tUs } = viewer.state;
-  if (!isAt(viewer, tUs)) {
+  const { tUs, following, status } = viewer.state;
+  // Who follows looks at where the player is. Else it is held there: a player that plays on is soon past it.
+  if (!following && !isAt(viewer, tUs)) {
+    if (status?.paused === false && !(await act(context, 'pause'))) return;
     if (!(await act(context, 'seek', -1, [tUs / 1e6]))) return;
     if (!(await arrival(viewer, tUs))) {
       context.notify(`fork: the player did not get there within ${patienceMs / 1000} s`, true);
