@@ -1,6 +1,7 @@
 // Builds the bridge: dist/bridge.mjs, one file with everything it needs, for Node 18 and newer.
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { notices } from './notices.ts';
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
@@ -8,6 +9,7 @@ export default defineConfig({
   root: here('..'),
   logLevel: 'warn',
   publicDir: false,
+  plugins: [notices(['ws'])],
   // ws looks for optional native helpers; without them it uses its own code.
   define: { 'process.env.WS_NO_BUFFER_UTIL': '"1"', 'process.env.WS_NO_UTF_8_VALIDATE': '"1"' },
   ssr: { noExternal: true, target: 'node' },

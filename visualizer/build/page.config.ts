@@ -4,6 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
 import { contentSecurity } from './content_security.ts';
+import { notices } from './notices.ts';
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
@@ -11,7 +12,7 @@ export default defineConfig(({ mode }) => ({
   root: here('../page'),
   logLevel: 'warn',
   define: { __VIZ_TEST__: JSON.stringify(mode === 'test') },
-  plugins: [viteSingleFile({ removeViteModuleLoader: true }), contentSecurity('page.html')],
+  plugins: [viteSingleFile({ removeViteModuleLoader: true }), notices(['uplot']), contentSecurity('page.html')],
   build: {
     target: 'es2022',
     outDir: mode === 'test' ? here('../../_build/visualizer') : here('../dist'),
