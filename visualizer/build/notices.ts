@@ -9,7 +9,8 @@ const notice = (name: string): string => {
 
 export function notices(packages: readonly string[]): Plugin {
   const text = packages.map(notice).join('\n\n');
-  if (text.includes('-->') || text.includes('*/')) throw new Error('a licence would end the comment it is in');
+  if (text.includes('-->') || text.includes('*/'))
+    throw new Error('a licence would end the comment it is in');
   return {
     name: 'notices',
     enforce: 'post',

@@ -12,7 +12,11 @@ export default defineConfig(({ mode }) => ({
   root: here('../page'),
   logLevel: 'warn',
   define: { __VIZ_TEST__: JSON.stringify(mode === 'test') },
-  plugins: [viteSingleFile({ removeViteModuleLoader: true }), notices(['uplot']), contentSecurity('page.html')],
+  plugins: [
+    viteSingleFile({ removeViteModuleLoader: true }),
+    notices(['uplot']),
+    contentSecurity('page.html'),
+  ],
   build: {
     target: 'es2022',
     outDir: mode === 'test' ? here('../../_build/visualizer') : here('../dist'),
