@@ -18,7 +18,8 @@ with_plain_library(Flags, Test) ->
         ok = file:del_dir_r(Dir)
     end.
 
-in_both(Test) -> [{atom_to_list(T), fun() -> Test(T) end} || T <- ?TRANSPORTS].
+%% In a process of their own: what another test has loaded is not seen.
+in_both(Test) -> {spawn, [{atom_to_list(T), fun() -> Test(T) end} || T <- ?TRANSPORTS]}.
 
 a_library_built_elsewhere_test_() ->
     in_both(fun(Transport) ->

@@ -4,13 +4,14 @@
 -include_lib("eunit/include/eunit.hrl").
 
 -define(BOTH(Source, Tests), [
-    {setup, local, fun() -> cb_sut:start(Source, [{transport, Transport}, {reset, reload}]) end,
+    {spawn, {setup, local,
+        fun() -> cb_sut:start(Source, [{transport, Transport}, {reset, reload}]) end,
         fun cb:stop/1, fun(Lib) ->
             [
                 {atom_to_list(Transport) ++ ": " ++ Name, fun() -> Test(Lib) end}
              || {Name, Test} <- Tests
             ]
-        end}
+        end}}
  || Transport <- [nif, port]
 ]).
 

@@ -46,7 +46,7 @@ said(Words) ->
         end,
     Device ! {stop, Self},
     receive
-        {said, Text} -> {Status, Text}
+        {Device, Text} -> {Status, Text}
     end.
 
 device(Owner, Texts) ->
@@ -56,7 +56,7 @@ device(Owner, Texts) ->
             From ! {io_reply, Tag, Reply},
             device(Owner, [Text | Texts]);
         {stop, Owner} ->
-            Owner ! {said, unicode:characters_to_list(lists:reverse(Texts))}
+            Owner ! {self(), unicode:characters_to_list(lists:reverse(Texts))}
     end.
 
 %% ---- a project, and signals ---------------------------------------------------------------
