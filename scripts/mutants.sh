@@ -46,7 +46,7 @@ hunt() { # DIRECTORY MODULE...
 unexplained=0
 one_library() { # LIBRARY
   local library=$1 here="c_src/$1/mutants" work="$root/_build/mutants/$1"
-  local modules=() file number built title how property tests seconds killed=0 total=0
+  local modules=() file number built title how property tests seconds sound_seconds killed=0 total=0
   [ -x "$here/build.sh" ] || { echo "mutants: $here/build.sh is missing" >&2; exit 2; }
   rm -rf "$work"
   mkdir -p "$work"
@@ -62,8 +62,9 @@ one_library() { # LIBRARY
     cat "$work/output" >&2
     exit 3
   }
+  sound_seconds=$(cut -d '|' -f 4 <<<"$verdict")
   printf '\n## %s\n\nWithout a defect all properties pass: %s tests in %s s.\n\n' "$library" \
-    "$(cut -d '|' -f 3 <<<"$verdict")" "$(cut -d '|' -f 4 <<<"$verdict")" >>"$report"
+    "$(cut -d '|' -f 3 <<<"$verdict")" "$sound_seconds" >>"$report"
   printf '| | defect | killed by | tests | seconds |\n|---:|---|---|---:|---:|\n' >>"$report"
 
   for number in $("$here/apply.sh" --numbers); do
@@ -74,9 +75,16 @@ one_library() { # LIBRARY
     IFS='|' read -r how property tests seconds <<<"$verdict"
     case $status in
       0) ;;
-      1 | 124)
+      124)
+        tests="" seconds=$seconds_each
+        if [ "${sound_seconds%.*}" -lt $((seconds_each / 3)) ]; then
+          how=killed property="tests that never end"
+        else
+          how=survived property="survived: not ended in time" unexplained=$((unexplained + 1))
+        fi
+        ;;
+      1)
         how=survived
-        [ "$status" -eq 1 ] || { tests="" seconds=$seconds_each; }
         property=$(sed -n "s/^$number //p" "$here/survivors.txt" 2>/dev/null)
         [ -n "$property" ] || { property="not explained" unexplained=$((unexplained + 1)); }
         property="survived: $property"

@@ -121,7 +121,8 @@ check "frames of a thousand objects need fragments" has_size "$here/stored.lcm" 
 # ---- Nothing leaves the host ----
 
 # From here on there is a way out, as on any machine: whatever leaves comes in at the other end of the pair.
-ip link add out type veth peer name other || { echo "not ok a way out to watch: needs root or user namespaces"; exit 1; }
+ip link add out type veth peer name other ||
+  { echo "not ok a way out to watch: needs root or user namespaces"; exit 1; }
 ip link set out addrgenmode none
 ip link set other addrgenmode none
 ip address add 192.0.2.1/24 dev out
