@@ -150,6 +150,40 @@ describe('live', () => {
     expect([viewer.state.tUs, viewer.state.badge]).toEqual([2.1 * S, 'LIVE']);
   });
 
+  it('resumes a live flight that was paused', () => {
+    const { world, viewer } = liveViewer();
+    const says = (paused: boolean) =>
+      world.listener?.message({ channel: 'VIZ_STATUS', value: aStatus({ mode: 1, paused }) });
+    says(false);
+    viewer.pause();
+    says(true);
+    world.pass(50);
+    viewer.play();
+    expect(world.sent.map((control) => control.verb)).toEqual(['pause', 'play']);
+    says(false);
+    world.listener?.message(aFrame(2.1 * S));
+    world.pass(10);
+    expect([viewer.state.playing, viewer.state.tUs]).toEqual([true, 2.1 * S]);
+  });
+
+  it('a replay that had ended: its beginning, and a collision, can be had', () => {
+    const world = testWorld();
+    const viewer = createViewer(world);
+    viewer.connect('ws://x');
+    world.listener?.connection({ connected: true });
+    world.listener?.granted(true);
+    const ended = aStatus({ paused: true, verdict: 2, tUs: 8 * S, durationUs: 8 * S });
+    world.listener?.message({ channel: 'VIZ_STATUS', value: ended });
+    world.listener?.message(aFrame(8 * S));
+    const collision = anEvent({ kind: 'collision', seq: 1, tUs: 3 * S, a: 1, b: 2 });
+    world.listener?.message({ channel: 'VIZ_EVENT', value: collision });
+    world.pass(200);
+    expect(viewer.state.startUs).toBe(0);
+    viewer.showCollision(0);
+    viewer.play();
+    expect(world.sent.map(({ verb, args }) => [verb, ...args])).toEqual([['seek', 2], ['restart'], ['play']]);
+  });
+
   it('sends at most one seek in 150 ms, and the last one in any case', () => {
     const { world, viewer } = liveViewer(2);
     for (let i = 0; i < 20; i++) {

@@ -209,7 +209,7 @@ class ViewerModel implements Viewer {
     const collision = this.data.log.collisions[index];
     if (collision === undefined) return;
     this.pause();
-    this.seek(Math.max(collision.tUs - 1_000_000, this.state.fromUs));
+    this.seek(Math.max(collision.tUs - 1_000_000, 0));
   }
 
   // ---- selection
@@ -297,6 +297,19 @@ class ViewerModel implements Viewer {
     return Math.max(toUs, told, commands[commands.length - 1]?.tUs ?? 0);
   }
 
+  // Whether anything comes after durationUs. Nothing tells of a bare log player's end.
+  get ends(): boolean {
+    const { status } = this.data;
+    return status === null || status.durationUs >= 0 || status.verdict !== 0;
+  }
+
+  // A player shows a replay from its beginning when asked.
+  get startUs(): number {
+    const { kind, connected } = this.connection;
+    const asks = kind === 'socket' && connected && this.data.status?.mode === Mode.replay;
+    return asks ? 0 : (this.data.frames.first?.tUs ?? 0);
+  }
+
   // Why nothing can be sent, '' when it can.
   private get sendingReason(): string {
     if (this.connection.kind !== 'socket') return 'no player is connected';
@@ -377,13 +390,18 @@ class ViewerModel implements Viewer {
   private context(): PlayContext {
     const frames = this.data.frames;
     const { kind, connected } = this.connection;
+    const live = this.data.status?.mode === Mode.live;
+    const toUs = frames.last?.tUs ?? 0;
     const replay = kind === 'file' || this.data.status?.mode === Mode.replay;
     return {
       source: kind === 'socket' && !connected ? 'file' : kind,
       fromUs: frames.first?.tUs ?? 0,
-      toUs: frames.last?.tUs ?? 0,
+      toUs,
       empty: frames.length === 0,
-      durationUs: this.durationUs,
+      durationUs: live && this.data.status?.verdict !== 0 ? toUs : this.durationUs, // commands to come do not
+      ends: this.ends,
+      live,
+      mayAsk: this.sendingReason === '',
       producing: this.producing,
       stopsUs: replay ? this.data.log.collisions.map((collision) => collision.tUs) : [],
       frameTime: (tUs, count) => {
@@ -519,6 +537,9 @@ function stateOf(model: ViewerModel): ViewerState {
     },
     get fromUs() {
       return model.data.frames.first?.tUs ?? 0;
+    },
+    get startUs() {
+      return model.startUs;
     },
     get toUs() {
       return model.data.frames.last?.tUs ?? 0;

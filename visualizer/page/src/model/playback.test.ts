@@ -8,6 +8,9 @@ const context = (change: Partial<PlayContext> = {}): PlayContext => ({
   toUs: 8 * S,
   empty: false,
   durationUs: 8 * S,
+  ends: true,
+  live: false,
+  mayAsk: true,
   producing: false,
   stopsUs: [],
   frameTime: (tUs, frames) => Math.min(8 * S, Math.max(0, tUs + frames * 0.1 * S)),
@@ -101,6 +104,50 @@ describe('from a socket', () => {
     expect(playback.playing).toBe(false);
     expect(playback.play(ended)).toEqual([]);
     expect([playback.tUs, playback.playing, playback.following]).toEqual([0, true, false]);
+  });
+
+  it('a paused live flight goes on when played', () => {
+    const paused = socket({ producing: false, ends: false, live: true });
+    const playback = at(8 * S);
+    expect(playback.play(paused)).toEqual([{ verb: 'play', args: [] }]);
+    expect([playback.playing, playback.following, playback.tUs]).toEqual([true, true, 8 * S]);
+    const behind = at(7 * S, { playing: true });
+    expect(behind.advance(5, paused)).toEqual([{ verb: 'play', args: [] }]);
+    expect(behind.following).toBe(true);
+  });
+
+  it('a live flight that is over plays what is held', () => {
+    const over = socket({ producing: false, live: true, fromUs: 2 * S });
+    const playback = at(8 * S);
+    expect(playback.play(over)).toEqual([]);
+    expect([playback.playing, playback.tUs]).toEqual([true, 2 * S]);
+  });
+
+  it('a replay of which only the end is held is shown again by the player', () => {
+    const late = socket({ producing: false, fromUs: 7.9 * S });
+    const playback = at(8 * S);
+    expect(playback.play(late)).toEqual([
+      { verb: 'restart', args: [] },
+      { verb: 'play', args: [] },
+    ]);
+    expect([playback.playing, playback.following]).toEqual([true, true]);
+  });
+
+  it('without control what is held of it plays', () => {
+    const late = socket({ producing: false, fromUs: 5 * S, mayAsk: false });
+    const playback = at(8 * S);
+    expect(playback.play(late)).toEqual([]);
+    expect([playback.playing, playback.tUs]).toEqual([true, 5 * S]);
+    const moment = socket({ producing: false, fromUs: 8 * S, mayAsk: false });
+    expect(at(8 * S).play(moment)).toEqual([{ verb: 'restart', args: [] }]);
+  });
+
+  it('never seeks a live flight by the player', () => {
+    const playback = at(8 * S);
+    expect(playback.seek(1 * S, socket({ live: true, fromUs: 2 * S }))).toEqual([]);
+    expect(playback.tUs).toBe(2 * S);
+    expect(playback.seek(9 * S, socket({ live: true, durationUs: 9 * S }))).toEqual([]);
+    expect([playback.tUs, playback.following]).toEqual([8 * S, true]);
   });
 
   it('seeks inside the buffer by itself, outside by the player', () => {

@@ -10,6 +10,9 @@ export interface PlayContext {
   readonly toUs: number;
   readonly empty: boolean; // nothing is held
   readonly durationUs: number; // end of the case, at least toUs
+  readonly ends: boolean; // nothing comes after durationUs; a live flight that goes on has no end
+  readonly live: boolean; // it only goes forward: the player cannot be sent back
+  readonly mayAsk: boolean; // the player does what it is asked
   readonly producing: boolean; // a player runs and is not paused
   readonly stopsUs: readonly number[]; // playing stops at these, in ascending order
   // The time of the frame that many frames away from a moment, clamped to the buffer.
@@ -29,7 +32,9 @@ export interface Loop {
 export const MIN_SPEED = 0.05;
 export const MAX_SPEED = 20;
 // As near to the end of what is held as this counts as its end (two frames at 60 Hz).
-const END_US = 35_000;
+export const END_US = 35_000;
+// What is held from here on is held from the beginning.
+const BEGINNING_US = 100_000;
 
 export class Playback {
   tUs = 0;
@@ -92,7 +97,7 @@ export class Playback {
     const tUs = Math.round(wantedUs);
     const held = !context.empty && tUs >= context.fromUs && tUs <= context.toUs;
     this.soughtUs = -1;
-    if (context.source !== 'socket' || held) {
+    if (context.source !== 'socket' || held || context.live) {
       this.tUs = clamp(tUs, context.fromUs, context.toUs);
       this.following = context.source === 'socket' && context.producing && tUs >= context.toUs;
       return [];
@@ -140,26 +145,24 @@ export class Playback {
   }
 
   private resume(context: PlayContext): Wish[] {
-    if (!context.producing && context.toUs >= context.durationUs - END_US && !context.empty) {
-      this.following = false;
-      this.tUs = this.loop?.fromUs ?? context.fromUs;
-      return [];
+    if (context.empty || !isOver(context)) return this.follow(context);
+    if (this.loop === null && mustComeAgain(context)) {
+      return context.mayAsk ? [...this.restart(context), wish('play')] : this.restart(context);
     }
+    this.following = false;
+    this.tUs = this.loop?.fromUs ?? context.fromUs;
+    return [];
+  }
+
+  private follow(context: PlayContext): Wish[] {
     this.following = true;
     return context.producing ? [] : [wish('play')];
   }
 
   private reachedEnd(context: PlayContext): Wish[] {
-    if (context.source !== 'socket') {
-      this.playing = false;
-      return [];
-    }
-    if (!context.producing && context.toUs >= context.durationUs - END_US) {
-      this.playing = false;
-      return [];
-    }
-    this.following = true;
-    return context.producing ? [] : [wish('play')];
+    if (context.source === 'socket' && !isOver(context)) return this.follow(context);
+    this.playing = false;
+    return [];
   }
 
   private nextStop(fromUs: number, context: PlayContext): number | null {
@@ -173,6 +176,17 @@ export class Playback {
     this.tUs = tUs;
     return wishes;
   }
+}
+
+// Nothing more comes of this run.
+function isOver({ producing, ends, toUs, durationUs }: PlayContext): boolean {
+  return !producing && ends && toUs >= durationUs - END_US;
+}
+
+// The beginning is not held, as in a page that came late: the player has to show it. Where it may
+// not be asked what is held plays, if that is more than a moment.
+function mustComeAgain({ live, mayAsk, fromUs, toUs }: PlayContext): boolean {
+  return !live && fromUs > BEGINNING_US && (mayAsk || toUs - fromUs <= END_US);
 }
 
 function wish(verb: Wish['verb'], ...args: number[]): Wish {

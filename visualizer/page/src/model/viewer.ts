@@ -70,6 +70,7 @@ export interface ViewerState {
   ranges: Ranges | null;
   fromUs: number; // what the buffer holds
   toUs: number;
+  startUs: number; // the earliest moment that can be had: of a player's replay its beginning
   durationUs: number; // end of the time axis
   thinned: boolean; // old frames were thinned to 10 Hz
   following: boolean; // the trailing edge of live data is shown

@@ -1,6 +1,6 @@
 // The bar with which time is moved.
 
-import type { SourceKind } from '../model/viewer';
+import type { SourceKind, ViewerState } from '../model/viewer';
 import { button, el, setHidden, setOptions, setText } from '../shell/dom';
 import { type IconName, icon } from '../shell/icons';
 import { speeds } from '../shell/settings';
@@ -42,8 +42,7 @@ export function transportPanel(context: Context): Transport {
   const toLive = button('Go live', () => viewer.toLive());
   const run = el('span', { class: 'aside' });
 
-  // Of a file, as far as it goes back; a player has it all.
-  const toStart = (): void => viewer.seek(viewer.state.connection.kind === 'file' ? viewer.state.fromUs : 0);
+  const toStart = (): void => viewer.seek(viewer.state.startUs);
   let source: SourceKind = 'none';
   let lastLoop: { fromUs: number; toUs: number } | null = null;
   const toggleLoop = (): void => {
@@ -81,9 +80,9 @@ export function transportPanel(context: Context): Transport {
     if (state.loop !== null) lastLoop = state.loop;
     loop.setAttribute('aria-pressed', String(state.loop !== null));
     stop.checked = state.stopAtCollision;
-    const late = state.behindS >= 0.05;
+    const late = state.badge === 'LIVE' && state.behindS >= 0.05;
     setText(behind, late ? `behind live by ${state.behindS.toFixed(1)} s` : '');
-    setHidden(toLive, !late);
+    setHidden(toLive, !late && !isPausedLive(state));
     setText(
       run,
       empty
@@ -101,6 +100,11 @@ export function transportPanel(context: Context): Transport {
     toggleLoop,
     setSpeed,
   };
+}
+
+// A flight that goes on when it is told to.
+function isPausedLive({ badge, status }: Pick<ViewerState, 'badge' | 'status'>): boolean {
+  return badge === 'LIVE' && status !== null && status.paused && status.verdict === 0;
 }
 
 function timeText(tUs: number, durationUs: number, live: boolean): string {

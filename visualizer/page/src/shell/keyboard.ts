@@ -65,8 +65,8 @@ function perform(action: Action, context: Context, targets: KeyTargets): void {
       targets.transport.toStart();
       return;
     case 'end':
-      if (state.behindS > 0) viewer.toLive();
-      else viewer.seek(state.toUs);
+      if (state.badge === 'LIVE' && state.behindS > 0) viewer.toLive();
+      else viewer.seek(state.durationUs);
       return;
     case 'frames':
       viewer.step(action.by);

@@ -6,11 +6,11 @@ export function sliderTarget(
   key: string,
   shift: boolean,
   tUs: number,
-  fromUs: number,
+  startUs: number,
   durationUs: number,
 ): number | null {
   const step = shift ? 1_000_000 : 100_000;
-  const page = (durationUs - fromUs) / 10;
+  const page = (durationUs - startUs) / 10;
   const targets: Readonly<Record<string, number>> = {
     ArrowRight: tUs + step,
     ArrowUp: tUs + step,
@@ -18,9 +18,9 @@ export function sliderTarget(
     ArrowDown: tUs - step,
     PageUp: tUs + page,
     PageDown: tUs - page,
-    Home: fromUs,
+    Home: startUs,
     End: durationUs,
   };
   const target = targets[key];
-  return target === undefined ? null : Math.min(Math.max(target, fromUs), durationUs);
+  return target === undefined ? null : Math.min(Math.max(target, startUs), durationUs);
 }

@@ -149,8 +149,8 @@ class CanvasTimeline implements Timeline {
     const now = performance.now();
     if (this.viewer.state.playing && now - this.valueMs < VALUE_EVERY_MS) return;
     this.valueMs = now;
-    const { fromUs, durationUs, tUs } = this.viewer.state;
-    this.slider.setAttribute('aria-valuemin', (fromUs / 1e6).toFixed(3));
+    const { startUs, durationUs, tUs } = this.viewer.state;
+    this.slider.setAttribute('aria-valuemin', (startUs / 1e6).toFixed(3));
     this.slider.setAttribute('aria-valuemax', (durationUs / 1e6).toFixed(3));
     this.slider.setAttribute('aria-valuenow', (tUs / 1e6).toFixed(3));
     this.slider.setAttribute('aria-valuetext', valueText(this.viewer.state));
@@ -210,8 +210,8 @@ class CanvasTimeline implements Timeline {
 
   // The keys of a slider; the page's own keys must not act as well.
   private key(event: KeyboardEvent): void {
-    const { tUs, fromUs, durationUs } = this.viewer.state;
-    const target = sliderTarget(event.key, event.shiftKey, tUs, fromUs, durationUs);
+    const { tUs, startUs, durationUs } = this.viewer.state;
+    const target = sliderTarget(event.key, event.shiftKey, tUs, startUs, durationUs);
     if (target === null || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     event.stopPropagation();
