@@ -86,6 +86,18 @@ describe('messages on their way to pages', () => {
     ]);
   });
 
+  test('an event that is told again counts once', async () => {
+    await using bridge = await startBridge();
+    const witness = await bridge.page();
+    await bridge.publish(event(1, 7), event(2, 7), event(1, 7), event(2, 7), event(3, 7), event(1, 7));
+    await witness.count(6);
+    const late = await bridge.page();
+    await late.count(3);
+    await bridge.publish(event(4, 7));
+    await late.count(4);
+    expect(late.messages()).toEqual([event(1, 7), event(2, 7), event(3, 7), event(4, 7)]);
+  });
+
   test('statistics come each second: messages, and what is missing by the numbers of the sender', async () => {
     await using bridge = await startBridge();
     const page = await bridge.page();

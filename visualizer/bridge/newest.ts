@@ -12,7 +12,7 @@ const maxEventBytes = 16 * 1024 * 1024;
 
 export class Newest {
   private readonly latest = new Map<string, Uint8Array>();
-  private events: Uint8Array[] = [];
+  private events = new Map<number, Uint8Array>(); // by number: players tell each of them more than once
   private eventBytes = 0;
   private run: number | null = null; // of the events
 
@@ -29,25 +29,31 @@ export class Newest {
 
   // In the order in which a page wants them.
   all(): Uint8Array[] {
-    return [...kept.flatMap((channel) => this.latest.get(channel) ?? []), ...this.events];
+    return [...kept.flatMap((channel) => this.latest.get(channel) ?? []), ...this.events.values()];
   }
 
   private noteEvent(payload: Uint8Array): string {
     const decoded = decodeMessage('VIZ_EVENT', payload);
     if (!decoded.ok) return decoded.error;
-    if (decoded.message.channel === 'VIZ_EVENT') this.noteRun(decoded.message.value.run);
+    if (decoded.message.channel !== 'VIZ_EVENT') return '';
+    const { run, seq } = decoded.message.value;
+    this.noteRun(run);
+    if (this.events.has(seq)) return '';
     const event = wrap('VIZ_EVENT', payload);
-    this.events.push(event);
+    this.events.set(seq, event);
     this.eventBytes += event.length;
-    while (this.events.length > maxEvents || this.eventBytes > maxEventBytes)
-      this.eventBytes -= this.events.shift()?.length ?? 0;
+    for (const [oldest, { length }] of this.events) {
+      if (this.events.size <= maxEvents && this.eventBytes <= maxEventBytes) break;
+      this.events.delete(oldest);
+      this.eventBytes -= length;
+    }
     return '';
   }
 
   private noteRun(run: number): void {
     if (run === this.run) return;
     this.run = run;
-    this.events = [];
+    this.events.clear();
     this.eventBytes = 0;
   }
 }

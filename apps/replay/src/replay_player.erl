@@ -274,8 +274,9 @@ differing(_, _, _, Run) ->
     {[], Run}.
 
 show(Now, #player{run = Run0} = P) ->
-    {Messages, Run} = replay_run:show(Now, status(P), Run0),
-    {publish(Messages), P#player{run = Run}}.
+    {Messages, Run1} = replay_run:show(Now, status(P), Run0),
+    {Repeated, Run} = replay_run:repeat(Now, Run1),
+    {publish(Messages ++ Repeated), P#player{run = Run}}.
 
 status(#player{run = Run, clock = Clock, options = #{token := Token}} = P) ->
     {Mod, State} = {replay_run:module_of(Run), replay_run:source(Run)},

@@ -5,7 +5,7 @@
 %% wall time when playing, simulated time in a recording.
 -module(replay_run).
 
--export([new/3, start/1, advance/2, show/3, again/1, changed/1]).
+-export([new/3, start/1, advance/2, show/3, repeat/2, again/1, changed/1]).
 -export([source/1, with_source/2, module_of/1, number/1, told/2, act/2]).
 -export([chosen/1, observe/2, add/2]).
 -export_type([run/0, message/0, pace/0, status/0]).
@@ -20,6 +20,9 @@
     number :: pos_integer(),
     frames = 0 :: non_neg_integer(),
     events = 0 :: non_neg_integer(),
+    %% the latest events by number, to be told again; when that was last done, and which is next
+    history = #{} :: #{non_neg_integer() => message()},
+    repeated = none :: none | {pace(), non_neg_integer()},
     observer :: auto | replay_source:id(),
     %% further members of `params' of VIZ_CASE
     extra = [] :: [{atom(), faultcheck_json:json()}],
@@ -37,6 +40,11 @@
 -define(EVERY, #{
     lasting => 1000000, faults => 1000000, still => 1000000, status => 200000, ranges => 100000
 }).
+%% So many events are told again, every so many microseconds; so many are kept for that (a bridge
+%% keeps as many).
+-define(REPEATED, 200).
+-define(REPEAT_US, 1000000).
+-define(MOST_EVENTS, 20000).
 
 %% @doc A run with this number; whose contours are shown, or auto: the source's choice.
 -spec new(replay_source:source(), pos_integer(), auto | replay_source:id()) -> run().
@@ -69,12 +77,30 @@ act(Action, #run{source = {Mod, State}} = Run) ->
 -spec told([replay_source:event()], run()) -> {[message()], run()}.
 told(Events, #run{number = Number} = Run) ->
     lists:mapfoldl(
-        fun(Event, #run{events = N} = Now) ->
-            {{event, Event#{run => Number, seq => N}}, Now#run{events = N + 1}}
+        fun(Event, #run{events = N, history = History} = Now) ->
+            Message = {event, Event#{run => Number, seq => N}},
+            Kept = maps:remove(N - ?MOST_EVENTS, History#{N => Message}),
+            {Message, Now#run{events = N + 1, history = Kept}}
         end,
         Run,
         Events
     ).
+
+%% @doc Events that were told before, once a second again with their old numbers, for whoever has
+%% come since: all, or when there are many the next 200 of them in turn.
+-spec repeat(pace(), run()) -> {[message()], run()}.
+repeat(Pace, #run{repeated = none} = Run) ->
+    {[], Run#run{repeated = {Pace, 0}}};
+repeat(Pace, #run{repeated = {Last, _}} = Run) when Pace - Last < ?REPEAT_US ->
+    {[], Run};
+repeat(Pace, #run{repeated = {_, Next}, history = History, events = End} = Run) ->
+    Known = map_size(History),
+    Oldest = End - Known,
+    From = max(Next - Oldest, 0),
+    Count = min(Known, ?REPEATED),
+    Numbers = [Oldest + (From + I) rem Known || I <- lists:seq(0, Count - 1)],
+    {[map_get(N, History) || N <- lists:sort(Numbers)],
+     Run#run{repeated = {Pace, Oldest + (From + Count) rem max(Known, 1)}}}.
 
 %% @doc Whatever is due: a frame with the observer's contours whenever there is something new to be
 %% seen, and what is told in intervals. A frame of the same moment is told once a second again, with

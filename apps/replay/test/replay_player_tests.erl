@@ -79,6 +79,46 @@ status_comes_five_times_a_second_and_the_rest_once_test() ->
     [?assert(abs(length(of_type(Type, Out)) - 10) =< 1) || Type <- [case_info, world, faults]],
     ?assert(abs(length(of_type(ranges, Out)) - 86) =< 16).
 
+%% Of each second: the numbers of the events that were told.
+numbers_told(Seconds, Player) ->
+    {Told, _} = lists:mapfoldl(
+        fun(Second, P) ->
+            {Out, Next} = until(Second * 1000000 + 500000, P),
+            {[N || #{seq := N} <- of_type(event, Out)], Next}
+        end,
+        Player,
+        lists:seq(1, Seconds)
+    ),
+    Told.
+
+events_are_told_again_each_second_test() ->
+    {Begun, P0} = opened({moving, 100000, {failed, "x"}, {failed, "y"}}),
+    {Out, P1} = until(500000, P0),
+    Events = of_type(event, Begun ++ Out),
+    ?assertEqual([0, 1, 2], [N || #{seq := N} <- Events]),
+    {Later, _} = until(1500000, P1),
+    ?assertEqual(Events, of_type(event, Later)),
+    ?assertEqual([[0, 1, 2], [0, 1, 2], [0, 1, 2]], numbers_told(3, P1)),
+    %% another run tells its own only
+    {1, "", _, P2} = ask_at(500000, <<"restart">>, #{}, P1),
+    {Again, _} = until(2500000, P2),
+    ?assertEqual([8], lists:usort([R || #{run := R} <- of_type(event, Again)])).
+
+many_events_are_told_again_in_turn_test() ->
+    {_, P0} = opened(live),
+    Steer = fun(_, P) ->
+        {1, "", _, Next} = ask(<<"steer">>, #{object => 0, args => [0.1, 0, 0]}, P),
+        Next
+    end,
+    %% with the first of all, and its release, 450
+    P1 = lists:foldl(Steer, P0, lists:seq(1, 448)),
+    {_, P2} = until(500000, P1),
+    ?assertEqual(
+        [lists:seq(0, 199), lists:seq(200, 399), lists:seq(0, 149) ++ lists:seq(400, 449),
+         lists:seq(150, 349)],
+        numbers_told(4, P2)
+    ).
+
 speed_is_that_of_wall_time_test() ->
     {_, Player} = opened({moving, 20000000, passed, passed}, #{speed => 4.0}),
     {Out, _} = until(1000000, Player),
@@ -105,7 +145,7 @@ late_wakes_do_not_add_up_test() ->
 
 end_of(Ending, Recorded) ->
     {_, Player} = opened({moving, 100000, Ending, Recorded}),
-    {Out, _} = until(1000000, Player),
+    {Out, _} = until(900000, Player),
     {status(Out), [T || #{kind := <<"verdict">>, text := T} <- of_type(event, Out)]}.
 
 a_failure_as_recorded_has_failed_test() ->
