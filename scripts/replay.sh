@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs a stored case again: scripts/replay.sh cases/<id>
+# Runs a stored case again: scripts/replay.sh cases/<id> (or <id> alone)
 #
 # A case with a flight of quadcopters (scenario.json) is also flown, in real time unless SPEED says otherwise
 # (0: without waiting). SET="name=value ..." flies it with other gains or parameters, BISECT=name=low:high looks for the
@@ -12,6 +12,8 @@ if [ -z "$case" ]; then
   ls "${FAULTCHECK_CASES:-cases}" 2>/dev/null >&2
   exit 2
 fi
+cases=${FAULTCHECK_CASES:-cases}
+if [ ! -e "$case" ] && [ -d "$cases/$case" ]; then case=$cases/$case; fi
 scripts/build_native.sh release >/dev/null
 flight="$case/scenario.json"
 

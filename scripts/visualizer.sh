@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Starts player, bridge and page on 127.0.0.1, prints the URL, and ends both when Ctrl-C is pressed:
 #
-#   scripts/visualizer.sh [CASE]     a stored case; without it an example
+#   scripts/visualizer.sh [CASE]     a stored case (or its id alone); without it an example
 #
 # LIVE=1 flies live in an empty world, SCENARIO=FILE in that of a scenario; ORIGINAL=1 plays the failure as it was
 # found. PORT is that of the web server (8765). One of the two that ends is started again, unless it ends at once.
@@ -19,6 +19,7 @@ fail() {
 
 what=()
 if [ -n "$case" ]; then
+  if [ ! -e "$case" ] && [ -d "$cases/$case" ]; then case=$cases/$case; fi
   [ -f "$case/case.json" ] || fail "no case $case; stored are the folders below $cases/" 2
   what+=("$case")
 fi

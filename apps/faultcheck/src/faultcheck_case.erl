@@ -6,7 +6,7 @@
 %% `proper:check/2' wants them: a list with the value of each ?FORALL.
 -module(faultcheck_case).
 
--export([write/2, add_file/3, read/1, directory/0, id/2]).
+-export([write/2, add_file/3, read/1, find/2, directory/0, id/2]).
 -export([commands/1, with_commands/2, lines/1]).
 -export_type(['case'/0, status/0, told/0]).
 
@@ -147,14 +147,30 @@ read(Path) ->
         end,
     case file:read_file(File) of
         {ok, Text} -> decode(File, faultcheck_json:decode(Text));
-        {error, enoent} -> {error, no_such(Path)};
+        {error, enoent} -> {error, no_such(Path, directory())};
         {error, Why} -> {error, text("~ts: ~ts", [File, file:format_error(Why)])}
     end.
 
-no_such(Path) ->
-    Known = filelib:wildcard("*", directory()),
+%% @doc The case that a user names: by the path of its folder or file, or by its id, which is the
+%% name of its folder below Root. The error is a line for the user.
+-spec find(file:filename(), file:filename()) -> {ok, file:filename()} | {error, string()}.
+find(Given, Root) ->
+    Below = [filename:join(Root, Given) || filename:basename(Given) =:= Given],
+    case lists:filter(fun is_there/1, [Given | Below]) of
+        [Path | _] -> {ok, Path};
+        [] -> {error, no_such(Given, Root)}
+    end.
+
+is_there(Path) ->
+    case filelib:is_dir(Path) of
+        true -> filelib:is_file(filename:join(Path, "case.json"));
+        false -> filelib:is_file(Path)
+    end.
+
+no_such(Path, Root) ->
+    Known = filelib:wildcard("*", Root),
     Near = faultcheck_suggest:phrase(filename:basename(Path), Known),
-    text("no case ~ts; stored cases are folders below ~ts~ts", [Path, directory(), Near]).
+    text("no case ~ts; stored cases are folders below ~ts~ts", [Path, Root, Near]).
 
 decode(File, {ok, #{<<"format">> := ?FORMAT} = Json}) ->
     try

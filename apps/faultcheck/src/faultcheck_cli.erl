@@ -39,18 +39,20 @@ run(["proper" | Words]) ->
         false -> proper(faultcheck_options:parse(Words))
     end;
 run(["replay", Path]) ->
-    stored(Path, fun(Case) -> replay({Case, shrunk}) end);
+    stored(Path, fun(Case, _) -> replay({Case, shrunk}) end);
 run(["replay", "--original", Path]) ->
-    stored(Path, fun(Case) -> replay({Case, original}) end);
+    stored(Path, fun(Case, _) -> replay({Case, original}) end);
 run(["replay", Path, "--original"]) ->
     run(["replay", "--original", Path]);
 run(["report", Path]) ->
-    stored(Path, fun(Case) -> report(Case, Path) end);
+    stored(Path, fun report/2);
 run(["export" | Words]) ->
     case faultcheck_export:parse(Words) of
-        {ok, Path, What} -> stored(Path, fun(Case) -> export(Case, Path, What) end);
+        {ok, Path, What} -> stored(Path, fun(Case, Dir) -> export(Case, Dir, What) end);
         {error, Line} -> say("~ts~n", [Line], ?USAGE_ERROR)
     end;
+run([Command]) when Command =:= "replay"; Command =:= "report" ->
+    say("~ts: say which case: faultcheck ~ts CASE~n", [Command, Command], ?USAGE_ERROR);
 run([Word | _]) ->
     Words = ["new", "proper", "replay", "play", "report", "export", "version", "help"],
     case lists:member(Word, Words) of
@@ -92,7 +94,7 @@ usage("proper") ->
 usage("replay") ->
     synopsis("replay") ++ "\n\n"
     "Runs a stored case again and prints each command with its result. CASE is a folder below\n"
-    "cases/, or a case.json. The project in the current folder is compiled first.\n\n"
+    "cases/ or its name alone, or a case.json. The project in the current folder is compiled first.\n\n"
     "  --original    the failure as it was found, before it was shrunk\n\n" ++ exit_statuses();
 usage("report") ->
     synopsis("report") ++ "\n\n"
@@ -150,9 +152,16 @@ watch() ->
         false -> "faultcheck play "
     end.
 
-stored(Path, Fun) ->
+%% Calls Fun(Case, Dir) with the case that the user names.
+stored(Given, Fun) ->
+    case faultcheck_case:find(Given, faultcheck_case:directory()) of
+        {ok, Path} -> read(Path, Fun);
+        {error, Line} -> say("~ts~n", [Line], ?USAGE_ERROR)
+    end.
+
+read(Path, Fun) ->
     case faultcheck_case:read(Path) of
-        {ok, Case} -> Fun(Case);
+        {ok, Case} -> Fun(Case, folder(Path));
         {error, Line} -> say("~ts~n", [Line], ?USAGE_ERROR)
     end.
 
@@ -166,12 +175,10 @@ options(#{options := Words}) ->
         {error, _} -> maps:with([dir, verbose], element(2, faultcheck_options:parse([])))
     end.
 
-report(Case, Path) ->
-    Dir = folder(Path),
+report(Case, Dir) ->
     built(options(Case), fun(Request) -> faultcheck_replay:report(Case, Dir, Request) end).
 
-export(Case, Path, What) ->
-    Dir = folder(Path),
+export(Case, Dir, What) ->
     built(options(Case), fun(Request) -> faultcheck_replay:export(Case, Dir, What, Request) end).
 
 folder(Path) ->

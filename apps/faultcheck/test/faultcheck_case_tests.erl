@@ -9,6 +9,7 @@ case_test_() ->
             {"the same failure is the same case", fun same_case/1},
             {"nothing unfinished is left or seen", fun whole/1},
             {"a file is added, and replaces the one before", fun added/1},
+            {"a case is found by its path and by its name alone", fun found/1},
             {"bad cases are one line", fun errors/1}
         ]
     ]}.
@@ -34,6 +35,25 @@ same_case(Root) ->
     ?assertMatch({ok, #{seed := 6}}, faultcheck_case:read(Dir)),
     {ok, Other} = faultcheck_case:write(Root, (sample())#{shrunk := [commands(1)]}),
     ?assertNotEqual(Dir, Other).
+
+found(Root) ->
+    {ok, Dir} = faultcheck_case:write(Root, sample()),
+    Id = filename:basename(Dir),
+    File = filename:join(Dir, "case.json"),
+    [
+        ?assertEqual({ok, Path}, faultcheck_case:find(Given, In))
+     || {Path, Given, In} <- [
+            {Dir, Id, Root}, {Dir, Dir, "elsewhere"}, {File, File, "elsewhere"}, {Dir, Dir, Root}
+        ]
+    ],
+    {error, Line} = faultcheck_case:find(Id ++ "0", Root),
+    ?assertNotEqual(nomatch, string:find(Line, "no case " ++ Id ++ "0; stored cases are folders")),
+    ?assertNotEqual(nomatch, string:find(Line, "did you mean " ++ Id ++ "?")),
+    %% a folder without a case, and what is not directly below the root
+    ok = file:make_dir(filename:join(Root, "empty")),
+    {error, _} = faultcheck_case:find("empty", Root),
+    {error, _} = faultcheck_case:find(filename:join(Id, "case.json"), Root),
+    {error, _} = faultcheck_case:find(Id, filename:join(Root, "empty")).
 
 added(Root) ->
     {ok, Dir} = faultcheck_case:write(Root, sample()),

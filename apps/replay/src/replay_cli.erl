@@ -23,7 +23,10 @@ run(Words) ->
             io:put_chars(usage()),
             0;
         {ok, Options} ->
-            played(Options);
+            case located(Options) of
+                {ok, Located} -> played(Located);
+                {error, Line} -> failed(Line, ?USAGE_ERROR)
+            end;
         {error, Line} ->
             failed(Line, ?USAGE_ERROR)
     end.
@@ -35,7 +38,8 @@ failed(Line, Status) ->
 usage() ->
     "Usage: faultcheck play [CASE] [options]\n\n"
     "Plays a stored case, or a live simulation, as LCM messages: for the visualizer's bridge, and\n"
-    "for standard LCM tools. CASE is a folder below cases/; without it an example is played.\n\n"
+    "for standard LCM tools. CASE is a folder below cases/, or its name alone; without it an\n"
+    "example is played.\n\n"
     "  --original             the failure as it was found, before it was shrunk\n"
     "  --live                 a live flight in an empty world, to be steered from a page\n"
     "  --scenario FILE        the same in the world of a scenario file\n"
@@ -123,6 +127,22 @@ complete(Options) ->
 
 %% ---- playing ----------------------------------------------------------------------------------
 
+%% The options with the path of the case, which can be read.
+located(#{'case' := Given} = Options) ->
+    case faultcheck_case:find(Given, cases(Options)) of
+        {ok, Path} ->
+            case faultcheck_case:read(Path) of
+                {ok, _} -> {ok, Options#{'case' := Path}};
+                {error, _} = Error -> Error
+            end;
+        {error, _} = Error ->
+            Error
+    end;
+located(Options) ->
+    {ok, Options}.
+
+cases(Options) -> maps:get(cases, Options, faultcheck_case:directory()).
+
 played(Options) ->
     case token(Options) of
         {error, Line} -> failed(Line, ?CANNOT);
@@ -139,7 +159,7 @@ server(Options, Token) ->
             number => replay_player:first_number(),
             view => view(),
             token => Token,
-            cases => maps:get(cases, Options, faultcheck_case:directory()),
+            cases => cases(Options),
             scenarios => maps:get(scenarios, Options, "examples/copter"),
             playing => not maps:get(paused, Options, false),
             speed => maps:get(speed, Options, 1.0)

@@ -28,3 +28,8 @@ wrong_words_are_one_line_test() ->
         end
      || {Words, Expected} <- Refused
     ].
+
+%% What it says goes to the standard error of this VM.
+a_case_that_is_not_there_is_wrong_input_test() ->
+    ?assertEqual(2, replay_cli:run(["no/such"])),
+    ?assertEqual(2, replay_cli:run(["nosuch", "--cases", "no/where"])).
