@@ -76,6 +76,17 @@ describe('tracks', () => {
     expect(tracks.times.at(0)).toBe(5);
   });
 
+  it('are made anew for another log, though neither was edited', () => {
+    const [first, second] = [new TimeBuffer<PackedFrame>(1e6), new TimeBuffer<PackedFrame>(1e6)];
+    for (const [index, value] of [7, 8].entries()) first.add(frame(index, value));
+    for (const [index, value] of [1, 2, 3].entries()) second.add(frame(100 + index, value));
+    const tracks = new Tracks();
+    tracks.of(1, 'positionError', first);
+    const { values } = tracks.of(1, 'positionError', second);
+    expect([values.length, values.at(0), values.at(2)]).toEqual([3, 1, 3]);
+    expect([tracks.times.length, tracks.times.at(0)]).toEqual([3, 100]);
+  });
+
   it('have gaps where the object is missing', () => {
     const frames = new TimeBuffer<PackedFrame>(1e6);
     frames.add(frame(0));

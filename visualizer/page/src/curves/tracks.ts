@@ -33,6 +33,7 @@ export interface Track {
 export class Tracks {
   readonly times = new Growing(); // us, of each frame
   private readonly tracks = new Map<string, Track>();
+  private seen: TimeBuffer<PackedFrame> | null = null;
   private edits = -1;
 
   // The track of an object's quantity, up to date with the frames.
@@ -56,7 +57,8 @@ export class Tracks {
   }
 
   private catchUp(frames: TimeBuffer<PackedFrame>): void {
-    if (frames.edits !== this.edits) {
+    if (frames !== this.seen || frames.edits !== this.edits) {
+      this.seen = frames;
       this.edits = frames.edits;
       this.times.length = 0;
       this.tracks.clear();

@@ -35,3 +35,12 @@ it('begins anew when the frames are others', () => {
   frames.add(frame(20));
   expect(spans.of(1, frames)).toEqual([]);
 });
+
+it('begins anew for another log, though neither was edited', () => {
+  const [first, second] = [new TimeBuffer<PackedFrame>(1e6), new TimeBuffer<PackedFrame>(1e6)];
+  for (const t of [0, 10]) first.add(frame(t, 1));
+  for (const t of [100, 110, 120]) second.add(frame(t));
+  const spans = new AvoidanceSpans();
+  expect(spans.of(1, first)).toHaveLength(1);
+  expect(spans.of(1, second)).toEqual([]);
+});

@@ -12,14 +12,16 @@ export interface Avoiding {
 export class AvoidanceSpans {
   private list: Avoiding[] = [];
   private object = -1;
+  private seen: TimeBuffer<PackedFrame> | null = null;
   private edits = -1;
   private done = 0; // frames looked at
   private open = false; // the last span goes on
 
   // The spans of an object in the frames that are held.
   of(object: number, frames: TimeBuffer<PackedFrame>): readonly Avoiding[] {
-    if (object !== this.object || frames.edits !== this.edits || frames.length < this.done) {
+    if (object !== this.object || frames !== this.seen || frames.edits !== this.edits) {
       this.object = object;
+      this.seen = frames;
       this.edits = frames.edits;
       this.list = [];
       this.done = 0;

@@ -390,15 +390,17 @@ class ViewerModel implements Viewer {
   private context(): PlayContext {
     const frames = this.data.frames;
     const { kind, connected } = this.connection;
-    const live = this.data.status?.mode === Mode.live;
+    const { status } = this.data;
+    const live = status?.mode === Mode.live;
     const toUs = frames.last?.tUs ?? 0;
-    const replay = kind === 'file' || this.data.status?.mode === Mode.replay;
+    const replay = kind === 'file' || status?.mode === Mode.replay;
     return {
       source: kind === 'socket' && !connected ? 'file' : kind,
       fromUs: frames.first?.tUs ?? 0,
       toUs,
       empty: frames.length === 0,
-      durationUs: live && this.data.status?.verdict !== 0 ? toUs : this.durationUs, // commands to come do not
+      // A flight that is over does not wait for the commands that were to come.
+      durationUs: live && status.verdict !== 0 ? toUs : this.durationUs,
       ends: this.ends,
       live,
       mayAsk: this.sendingReason === '',
