@@ -69,7 +69,8 @@ help() ->
     "  --csv           a line for each moment and object, for spreadsheets and scripts\n"
     "  --svg           pictures: the map at one moment, and the curves\n"
     "  --at SECONDS    the moment of the map; without it, the end\n"
-    "  --out FILE      where to write; without it, into the folder of the case\n".
+    "  --out FILE      where to write; without it, into the folder of the case; of --svg\n"
+    "                  NAME.svg, NAME-position-error.svg and NAME-nearest.svg for NAME\n".
 
 %% @doc The property's module or a model of the commands, whichever exports the function.
 -spec exporter(module(), faultcheck_case:'case'(), {atom(), arity()}) -> {ok, module()} | none.

@@ -5,6 +5,8 @@
 
 %% Objects with a curve in a picture: the chart has so many colours.
 -define(MOST_CURVES, 5).
+%% Times are shown in milliseconds: whoever asks for the end as it was shown gets it.
+-define(ROUNDED_US, 1000).
 
 %% @doc Writes what is asked for from run.lcm of a case's folder; the files written.
 -spec write(file:filename(), faultcheck_export:what()) ->
@@ -14,11 +16,20 @@ write(Dir, #{format := Format} = What) ->
     case filelib:is_regular(Recording) of
         true ->
             case replay_flight:read(Recording) of
-                {ok, Flight} -> written(files(Format, What, Flight), Dir, What, []);
+                {ok, Flight} -> exported(Format, What, Flight, Dir);
                 {error, _} = Error -> Error
             end;
         false ->
             {error, text("~ts is missing; faultcheck report ~ts writes it", [Recording, Dir])}
+    end.
+
+exported(Format, What, #{frames := Frames} = Flight, Dir) ->
+    End = maps:get(t_us, lists:last(Frames)),
+    case What of
+        #{at := At} when At * 1000000 >= End + ?ROUNDED_US ->
+            {error, text("--at ~tp: the flight ends at ~.3f s", [At, End / 1000000])};
+        _ ->
+            written(files(Format, What, Flight), Dir, What, [])
     end.
 
 %% Names in the folder of the case.
@@ -94,11 +105,12 @@ written([{Name, Content} | Rest], Dir, What, Done) ->
         error:{not_written, Line} -> {error, Line}
     end.
 
-%% The first file goes where the user wants it, further ones beside it.
+%% The first file goes where the user wants it, further pictures beside it; all end in .svg.
 place(Name, Dir, What, Done) ->
     case What of
-        #{out := File} when Done =:= [] -> File;
-        #{out := File} -> filename:rootname(File) ++ "-" ++ Name;
+        #{out := File, format := svg} when Done =:= [] -> filename:rootname(File, ".svg") ++ ".svg";
+        #{out := File, format := svg} -> filename:rootname(File, ".svg") ++ "-" ++ Name;
+        #{out := File} -> File;
         _ -> filename:join(Dir, Name)
     end.
 

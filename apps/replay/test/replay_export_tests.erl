@@ -14,6 +14,7 @@ export_test_() ->
             {"the user chooses the place, further files stand beside it", fun out/1},
             {"a place that is not there is told", fun nowhere/1},
             {"the map shows the moment asked for", fun moment/1},
+            {"a moment after the end is refused with the length", fun after_the_end/1},
             {"text stays text in pictures", fun hostile/1},
             {"the same recording gives the same bytes", fun again/1}
         ]
@@ -114,7 +115,28 @@ out(Dir) ->
         ["picture.svg", "picture-position-error.svg", "picture-nearest.svg"],
         [filename:basename(File) || File <- Files]
     ),
-    [?assert(filelib:is_regular(File)) || File <- Files].
+    [?assert(filelib:is_regular(File)) || File <- Files],
+    Bare = filename:join(Dir, "of.v2"),
+    {ok, Others} = replay_export:write(Dir, #{format => svg, out => Bare}),
+    ?assertEqual(
+        ["of.v2.svg", "of.v2-position-error.svg", "of.v2-nearest.svg"],
+        [filename:basename(File) || File <- Others]
+    ),
+    Lines = filename:join(Dir, "lines"),
+    ?assertEqual({ok, [Lines]}, replay_export:write(Dir, #{format => csv, out => Lines})).
+
+%% No picture is written; the end as the map shows it, rounded to milliseconds, is the end.
+after_the_end(Dir) ->
+    record(Dir, [frame(0, [object(1, 0)]), frame(5679700, [object(1, 0)])]),
+    [
+        begin
+            {error, Line} = replay_export:write(Dir, #{format => svg, at => At}),
+            has("ends at 5.680 s", Line),
+            ?assertEqual(["run.lcm"], filelib:wildcard("*", Dir))
+        end
+     || At <- [999, 5.682]
+    ],
+    {ok, [_ | _]} = replay_export:write(Dir, #{format => svg, at => 5.68}).
 
 nowhere(Dir) ->
     record(Dir, [frame(0, [object(1, 0)])]),
