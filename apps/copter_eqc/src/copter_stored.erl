@@ -4,10 +4,20 @@
 %% same flight, for coptersim_run.
 -module(copter_stored).
 
--export([all/0, write/4]).
+-export([all/0, origin/1, write/4]).
+-export_type([origin/0]).
 
 -type stored() :: {
     Name :: string(), copter_options:options(), [faultcheck_generator:command()]
+}.
+
+%% Where one comes from: which test of which seed (copter_trial:commands/3), and how many commands
+%% that had.
+-type origin() :: #{
+    property := string(),
+    seed := non_neg_integer(),
+    test := pos_integer(),
+    commands := pos_integer()
 }.
 
 %% @doc All of them, by name.
@@ -23,6 +33,14 @@ read(File) ->
             {filename:basename(File, ".eterm"), copter_options:new(Changes), commands(Calls)};
         {error, Reason} ->
             error({counterexample, File, file:format_error(Reason)})
+    end.
+
+%% @doc Where the one with this name comes from, if its file says so.
+-spec origin(string()) -> origin() | none.
+origin(Name) ->
+    case file:consult(filename:join(dir(), Name ++ ".eterm")) of
+        {ok, [#{origin := Origin}]} -> Origin;
+        {ok, _} -> none
     end.
 
 commands(Calls) ->

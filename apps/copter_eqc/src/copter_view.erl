@@ -20,6 +20,8 @@
     'case' = none :: none | faultcheck_case:'case'(),
     name :: string(),
     original = 0 :: non_neg_integer(),
+    %% of a stored counterexample
+    origin = none :: none | copter_stored:origin(),
     settings :: copter_sut:settings(),
     recorded :: unknown | any_failure | replay_source:ending(),
     %% can be stored as a case of this property
@@ -41,7 +43,7 @@
 
 %% Of a live flight the latest so many are listed.
 -define(MOST_COMMANDS, 500).
--define(EXAMPLE, "crowd_without_faults").
+-define(EXAMPLE, "crowd_with_faults").
 
 %% ---- opening ----------------------------------------------------------------------------------
 
@@ -104,7 +106,13 @@ settings_of(Changes) -> copter_sut:settings(copter_options:new(Changes)).
 of_stored(Name, Options, Commands) ->
     #{dt_us := Dt} = Settings = copter_sut:settings(Options),
     View = of_plan(Name, Settings, copter_plan:from_commands(Commands, Dt)),
-    View#view{recorded = any_failure}.
+    Origin = copter_stored:origin(Name),
+    Original =
+        case Origin of
+            #{commands := Before} -> Before;
+            none -> View#view.original
+        end,
+    View#view{recorded = any_failure, origin = Origin, original = Original}.
 
 %% @doc A stored case with the settings of its property. Recorded is how it ended then.
 -spec of_case(
@@ -341,10 +349,14 @@ command({T, Index, {Name, Args}}) ->
     }.
 
 property_of(#view{'case' = none, live = true}) -> <<"flown by hand">>;
+property_of(#view{'case' = none, origin = #{property := Property}}) ->
+    unicode:characters_to_binary(Property);
 property_of(#view{'case' = none}) -> <<>>;
 property_of(#view{'case' = #{module := Module, property := Property}}) ->
     unicode:characters_to_binary([atom_to_list(Module), $:, atom_to_list(Property)]).
 
+seed_of(#view{'case' = none, origin = #{seed := Seed, test := Test}}) ->
+    unicode:characters_to_binary(text("~b, test ~b", [Seed, Test]));
 seed_of(#view{'case' = none}) -> <<>>;
 seed_of(#view{'case' = #{seed := Seed}}) -> integer_to_binary(Seed).
 

@@ -22,3 +22,23 @@ collides(Name, Options, Commands) ->
 
 there_are_counterexamples_test() ->
     ?assert(length(copter_stored:all()) >= 4).
+
+%% It is what is left of the test that its file names, up to the collision.
+an_origin_is_the_test_that_is_named_test_() ->
+    [{Name, fun() -> is_part_of_its_test(Options, Commands, copter_stored:origin(Name)) end}
+     || {Name, Options, Commands} <- copter_stored:all(), copter_stored:origin(Name) =/= none].
+
+is_part_of_its_test(Options, Commands, #{seed := Seed, test := Test, commands := Number}) ->
+    Original = calls(copter_trial:commands(Options, Seed, Test)),
+    ?assertEqual(Number, length(Original)),
+    ?assertEqual([], calls(Commands) -- Original).
+
+calls(Commands) -> [{F, Args} || {set, _, {call, copter_eqc, F, Args}} <- Commands].
+
+the_example_has_an_origin_test() ->
+    {ok, Example} = copter_view:open(example),
+    ?assertMatch(
+        #{case_id := <<"crowd_with_faults">>, ncmd_original := 48,
+          seed := <<"20250401, test 1014">>},
+        copter_view:info(Example)
+    ).
