@@ -2,7 +2,7 @@
 # A short run of every fuzz target; a target passes when it finds nothing. FUZZ_SECONDS is the time for each, or
 # FUZZ_RUNS the number of its runs. Prints how many runs there were.
 source "$(dirname "$0")/lib.sh"
-limit="-max_total_time=${FUZZ_SECONDS:-15}"
+limit="-max_total_time=${FUZZ_SECONDS:-10}"
 [ -z "${FUZZ_RUNS:-}" ] || limit="-runs=$FUZZ_RUNS"
 
 scripts/build_native.sh fuzz >"$reports/build-fuzz.log" 2>&1 || {
