@@ -17,11 +17,21 @@ fail() {
   exit "$2"
 }
 
+# Sources that differ from what is committed, and are newer than the bridge. No git, no difference.
+changed_since_build() {
+  git diff --name-only --diff-filter=d HEAD -- visualizer ':!visualizer/dist' 2>/dev/null | while read -r source; do
+    [ "$source" -ot "$bridge" ] || echo "$source"
+  done
+}
+
 what=()
 if [ -n "$case" ]; then
   if [ ! -e "$case" ] && [ -d "$cases/$case" ]; then case=$cases/$case; fi
   [ -f "$case/case.json" ] || fail "no case $case; stored are the folders below $cases/" 2
   what+=("$case")
+fi
+if [ -n "${SCENARIO:-}" ] && [ ! -f "$SCENARIO" ]; then
+  fail "no file $SCENARIO; scenarios are $(echo examples/copter/*.json)" 2
 fi
 [ -z "${ORIGINAL:-}" ] || what+=(--original)
 [ -z "${LIVE:-}" ] || what+=(--live)
@@ -34,6 +44,8 @@ if [ ! -f "$bridge" ]; then
   command -v npm >/dev/null 2>&1 || fail "$bridge is missing, and there is no npm to build it; a release has it" 3
   echo "visualizer: building page and bridge ..."
   scripts/build_visualizer.sh
+elif command -v npm >/dev/null 2>&1 && [ -n "$(changed_since_build)" ]; then
+  echo "visualizer: page and bridge are older than their sources; to build them: scripts/build_visualizer.sh"
 fi
 
 # Nobody else may read the token that lets a page control the player.

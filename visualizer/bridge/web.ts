@@ -29,6 +29,9 @@ const security = {
   'Content-Security-Policy': "frame-ancestors 'none'",
 };
 
+const inUse = (port: number): string =>
+  `port ${port} is in use; choose another: --port N (make visualizer PORT=N)`;
+
 export class Web {
   private readonly options: WebOptions;
   private readonly server: Server;
@@ -55,11 +58,13 @@ export class Web {
     });
   }
 
-  // Answers with the port. Rejects when the address cannot be used.
+  // Answers with the port. Rejects with one line when the address cannot be used.
   open(): Promise<number> {
     const { port, bind } = this.options;
     return new Promise((resolve, reject) => {
-      this.server.once('error', reject);
+      this.server.once('error', (error: NodeJS.ErrnoException) => {
+        reject(error.code === 'EADDRINUSE' ? new Error(inUse(port)) : error);
+      });
       this.server.listen(port, bind, () => {
         const address = this.server.address();
         const taken = typeof address === 'object' && address ? address.port : port;

@@ -1098,7 +1098,7 @@ var maxEvents = 2e4;
 var maxEventBytes = 16777216;
 var Newest = class {
 	latest = /* @__PURE__ */ new Map();
-	events = [];
+	events = /* @__PURE__ */ new Map();
 	eventBytes = 0;
 	run = null;
 	note(channel, payload) {
@@ -1111,22 +1111,29 @@ var Newest = class {
 		return "";
 	}
 	all() {
-		return [...kept.flatMap((channel) => this.latest.get(channel) ?? []), ...this.events];
+		return [...kept.flatMap((channel) => this.latest.get(channel) ?? []), ...this.events.values()];
 	}
 	noteEvent(payload) {
 		const decoded = decodeMessage("VIZ_EVENT", payload);
 		if (!decoded.ok) return decoded.error;
-		if (decoded.message.channel === "VIZ_EVENT") this.noteRun(decoded.message.value.run);
+		if (decoded.message.channel !== "VIZ_EVENT") return "";
+		const { run, seq } = decoded.message.value;
+		this.noteRun(run);
+		if (this.events.has(seq)) return "";
 		const event = wrap("VIZ_EVENT", payload);
-		this.events.push(event);
+		this.events.set(seq, event);
 		this.eventBytes += event.length;
-		while (this.events.length > maxEvents || this.eventBytes > maxEventBytes) this.eventBytes -= this.events.shift()?.length ?? 0;
+		for (const [oldest, { length }] of this.events) {
+			if (this.events.size <= maxEvents && this.eventBytes <= maxEventBytes) break;
+			this.events.delete(oldest);
+			this.eventBytes -= length;
+		}
 		return "";
 	}
 	noteRun(run) {
 		if (run === this.run) return;
 		this.run = run;
-		this.events = [];
+		this.events.clear();
 		this.eventBytes = 0;
 	}
 };
@@ -5171,6 +5178,7 @@ var security = {
 	"Cache-Control": "no-store",
 	"Content-Security-Policy": "frame-ancestors 'none'"
 };
+var inUse = (port) => `port ${port} is in use; choose another: --port N (make visualizer PORT=N)`;
 var Web = class {
 	options;
 	server;
@@ -5201,7 +5209,9 @@ var Web = class {
 	open() {
 		const { port, bind } = this.options;
 		return new Promise((resolve, reject) => {
-			this.server.once("error", reject);
+			this.server.once("error", (error) => {
+				reject(error.code === "EADDRINUSE" ? new Error(inUse(port)) : error);
+			});
 			this.server.listen(port, bind, () => {
 				const address = this.server.address();
 				const taken = typeof address === "object" && address ? address.port : port;
