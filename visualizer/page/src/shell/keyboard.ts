@@ -4,7 +4,7 @@ import { layerNames, speeds } from './settings';
 import type { Context } from '../panels/panel';
 import type { SteerPanel } from '../panels/steer_panel';
 import type { Transport } from '../panels/transport';
-import { focusOf } from './focus';
+import { focusOf, watchPointerFocus } from './focus';
 import { type Action, actionOf, isSteerKey, nextSpeed } from './keys';
 
 export interface KeyTargets {
@@ -20,19 +20,32 @@ export interface KeyTargets {
 }
 
 export function listenToKeys(context: Context, targets: KeyTargets): void {
-  document.addEventListener('keydown', (event) => {
-    if (event.defaultPrevented || document.querySelector('dialog[open]') !== null) return;
+  const byPointer = watchPointerFocus(document);
+  const act = (event: KeyboardEvent): void => {
+    if (event.defaultPrevented || inDialog()) return;
     const action = actionOf({
       key: event.key,
       shift: event.shiftKey,
       command: event.ctrlKey || event.altKey || event.metaKey,
       focus: focusOf(document.activeElement),
+      byPointer: byPointer(),
       steering: maySteer(context, targets),
     });
     if (action === null) return;
     event.preventDefault();
     perform(action, context, targets);
-  });
+  };
+  document.addEventListener('keydown', act);
+  // Space after a click comes before what was clicked: the buttons of steering listen for themselves.
+  const early = (event: KeyboardEvent): void => {
+    if (event.key !== ' ' || !byPointer() || inDialog()) return;
+    if (focusOf(document.activeElement) === 'text') return;
+    if (event.type === 'keydown') act(event);
+    if (event.type === 'keyup') event.preventDefault(); // Firefox clicks then
+    if (event.defaultPrevented) event.stopPropagation();
+  };
+  document.addEventListener('keydown', early, true);
+  document.addEventListener('keyup', early, true);
   document.addEventListener('keyup', (event) => {
     const key = event.key.toLowerCase();
     if (isSteerKey(key)) targets.steer.release(key);
@@ -44,6 +57,10 @@ export function listenToKeys(context: Context, targets: KeyTargets): void {
   document.addEventListener('visibilitychange', () => {
     if (document.hidden) releaseAll();
   });
+}
+
+function inDialog(): boolean {
+  return document.querySelector('dialog[open]') !== null;
 }
 
 function maySteer({ viewer }: Context, { stage, pad }: KeyTargets): boolean {

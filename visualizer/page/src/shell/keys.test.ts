@@ -3,7 +3,15 @@ import { type Action, actionOf, type KeyPress, nextSpeed } from './keys';
 import { speeds } from './settings';
 
 const press = (key: string, change: Partial<KeyPress> = {}): Action | null =>
-  actionOf({ key, shift: false, command: false, focus: 'none', steering: false, ...change });
+  actionOf({
+    key,
+    shift: false,
+    command: false,
+    focus: 'none',
+    byPointer: false,
+    steering: false,
+    ...change,
+  });
 
 describe('keys', () => {
   // Section "Keys" of the reference, key by key.
@@ -42,9 +50,9 @@ describe('keys', () => {
 
   test('while typing only Escape counts', () => {
     for (const key of [' ', 'r', 'd', '1', 'w', 'ArrowLeft']) {
-      expect(press(key, { focus: 'typing', steering: true })).toBeNull();
+      expect(press(key, { focus: 'text', steering: true, byPointer: true })).toBeNull();
     }
-    expect(press('Escape', { focus: 'typing' })).toEqual({ do: 'clear' });
+    expect(press('Escape', { focus: 'text' })).toEqual({ do: 'clear' });
   });
 
   test("the browser's own shortcuts are left alone", () => {
@@ -56,6 +64,15 @@ describe('keys', () => {
     expect(press('Enter', { focus: 'button' })).toBeNull();
     expect(press('r', { focus: 'button' })).toEqual({ do: 'report' });
     for (const key of ['ArrowLeft', 'Home', 'End']) expect(press(key, { focus: 'arrows' })).toBeNull();
+  });
+
+  test('Space after a click plays and pauses, whatever was clicked', () => {
+    for (const focus of ['none', 'button', 'select', 'arrows'] as const) {
+      expect(press(' ', { focus, byPointer: true })).toEqual({ do: 'playPause' });
+    }
+    for (const focus of ['button', 'select', 'arrows'] as const) expect(press(' ', { focus })).toBeNull();
+    expect(press('Enter', { focus: 'button', byPointer: true })).toBeNull();
+    expect(press('r', { focus: 'select', byPointer: true })).toBeNull();
   });
 
   test('D steers when steering is on, and is dark otherwise', () => {

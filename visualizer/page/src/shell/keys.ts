@@ -18,15 +18,18 @@ export interface KeyPress {
   shift: boolean;
   command: boolean; // ctrl, alt or meta is down: not for us
   focus: Focus;
+  byPointer: boolean; // the focus came from a click: Space is not for what was clicked last
   steering: boolean; // live with control, and the map or the pad has the focus
 }
 
 // What the focused element does with keys itself.
-export type Focus = 'none' | 'typing' | 'button' | 'arrows';
+export type Focus = 'none' | 'text' | 'select' | 'button' | 'arrows';
 
 export function actionOf(press: KeyPress): Action | null {
   if (press.key === 'Escape') return { do: 'clear' };
-  if (press.command || press.focus === 'typing') return null;
+  if (press.command) return null;
+  if (press.key === ' ' && press.byPointer && press.focus !== 'text') return { do: 'playPause' };
+  if (press.focus === 'text' || press.focus === 'select') return null;
   const key = press.key.length === 1 ? press.key.toLowerCase() : press.key;
   if (press.steering && isSteerKey(key)) return { do: 'steer', key };
   if (press.focus === 'button' && (key === ' ' || key === 'Enter')) return null;
