@@ -45,7 +45,13 @@ async function begin(root: HTMLElement): Promise<void> {
     if (socket === null) throw new Error(ack.text);
     await viewer.openLog(await fetchCase(bridge, id), id);
   };
-  followFragment(viewer, browserAddress(window), loadCase, (ms, callback) => void setTimeout(callback, ms));
+  followFragment(
+    viewer,
+    browserAddress(window),
+    loadCase,
+    (ms, callback) => void setTimeout(callback, ms),
+    (line) => shell.notify(line, true),
+  );
   if (__VIZ_TEST__) window.__viz = { stats: () => map.stats(), state: () => viewer.state, viewer };
   try {
     const log = await embeddedLog(document);

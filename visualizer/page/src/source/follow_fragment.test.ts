@@ -31,7 +31,8 @@ async function setUp(fragment: string, caseId = 'c') {
     );
     await viewer.openLog(new ArrayBuffer(0), id);
   };
-  followFragment(viewer, address, load, world.later);
+  const notices: string[] = [];
+  followFragment(viewer, address, load, world.later, (line) => notices.push(line));
   const go = (next: string): void => {
     hash = next;
     changed();
@@ -48,6 +49,7 @@ async function setUp(fragment: string, caseId = 'c') {
   return {
     viewer,
     loaded,
+    notices,
     go,
     settle,
     refuse,
@@ -79,12 +81,18 @@ it('does not wait for a player that is not there', async () => {
   expect([loaded, viewer.state.tUs]).toEqual([['other'], 2 * S]);
 });
 
-it('a case that cannot be had does not keep it from the moment', async () => {
-  const { viewer, open, settle, refuse, loaded } = await setUp('#case=gone&t=1.000');
+it('says that a case cannot be had, and leaves what is shown as it is', async () => {
+  const { viewer, open, settle, refuse, loaded, notices, hash } = await setUp('#case=gone&t=1.000&obs=2');
   refuse();
   await open();
+  viewer.play();
   await settle();
-  expect([loaded, viewer.state.tUs]).toEqual([['gone'], 1 * S]);
+  expect([loaded, notices]).toEqual([['gone'], ['no case gone here']]);
+  expect([viewer.state.playing, viewer.state.observer]).toEqual([true, 1]);
+  expect(viewer.state.tUs).toBeLessThan(0.5 * S);
+  viewer.pause();
+  await settle();
+  expect(hash()).toMatch(/^#case=c&t=0\.\d+&obs=1$/);
 });
 
 it('writes where it is, not while playing', async () => {

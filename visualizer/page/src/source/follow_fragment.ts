@@ -13,20 +13,24 @@ export interface Address {
 // Without any frame for so long, the case of an address is loaded without waiting for a player.
 const NO_PLAYER_MS = 1500;
 
-// `loadCase' shows a stored case; it rejects when it cannot.
+// `loadCase' shows a stored case; it rejects when it cannot. Then `notify' is told, and moment and
+// observer, which were that case's, are forgotten.
 export function followFragment(
   viewer: Viewer,
   address: Address,
   loadCase: (id: string) => Promise<void>,
   later: (ms: number, callback: () => void) => void,
+  notify: (line: string) => void,
 ): void {
   let wanted: Place | null = parseFragment(address.read());
   let asked = false;
   const load = (id: string): void => {
     asked = true;
     void loadCase(id).catch(() => {
-      if (wanted !== null) wanted = { ...wanted, caseId: null };
-      goThere(false);
+      notify(`no case ${id} here`);
+      if (wanted?.caseId !== id) return; // the address has changed meanwhile
+      wanted = null;
+      write(viewer, address);
     });
   };
   const goThere = (patient: boolean): void => {
