@@ -4,7 +4,8 @@
 #   scripts/visualizer.sh [CASE]     a stored case (or its id alone); without it an example
 #
 # LIVE=1 flies live in an empty world, SCENARIO=FILE in that of a scenario; ORIGINAL=1 plays the failure as it was
-# found. PORT is that of the web server (8765). One of the two that ends is started again, unless it ends at once.
+# found. PORT is that of the web server (8765), and decides the multicast port between the two: 7667 for 8765, and so
+# on. One of the two that ends is started again, unless it ends at once.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 case=${1:-}
@@ -23,6 +24,12 @@ changed_since_build() {
     [ "$source" -ot "$bridge" ] || echo "$source"
   done
 }
+
+case $port in
+  '' | *[!0-9]* | ??????*) fail "PORT: expected 0 to 65535, not $port" 2 ;;
+esac
+# 7667 + PORT - 8765, kept within 1024 to 65535.
+group="udpm://239.255.76.67:$((1024 + (10#$port - 2122 + 64512) % 64512))?ttl=0"
 
 what=()
 if [ -n "$case" ]; then
@@ -56,11 +63,11 @@ control=(--allow-control --token-file "$private/token")
 
 # In sessions of their own: Ctrl-C is for this script, which ends them once.
 start_bridge() {
-  setsid node "$bridge" --port "$port" --cases "$cases" "${control[@]}" >>"$output" &
+  setsid node "$bridge" --port "$port" --group "$group" --cases "$cases" "${control[@]}" >>"$output" &
   bridge_pid=$!
 }
 start_player() {
-  setsid bin/faultcheck play "${what[@]}" --cases "$cases" "${control[@]}" &
+  setsid bin/faultcheck play "${what[@]}" --group "$group" --cases "$cases" "${control[@]}" &
   player_pid=$!
 }
 
@@ -89,8 +96,10 @@ echo "visualizer: open $url in a browser; Ctrl-C ends it"
 
 while true; do
   began=$SECONDS
+  status=0
   wait -n "$bridge_pid" "$player_pid" || status=$?
-  [ $((SECONDS - began)) -ge 2 ] || end "${status:-3}"
+  # 2: what it was asked for cannot be, such as a second player on the group
+  { [ "$status" -ne 2 ] && [ $((SECONDS - began)) -ge 2 ]; } || end "$((status ? status : 3))"
   kill -0 "$bridge_pid" 2>/dev/null || { echo "visualizer: the bridge has ended; again"; start_bridge; }
   kill -0 "$player_pid" 2>/dev/null || { echo "visualizer: the player has ended; again"; start_player; }
 done

@@ -31,7 +31,7 @@ watched(none, _, _) ->
     ok.
 
 shown(Running, Options, Commands, undefined) ->
-    case replay_broadcast:open(url()) of
+    case opened(url()) of
         {ok, Broadcast} ->
             shown(Running, Options, Commands, {Broadcast, 0});
         {error, Line} ->
@@ -47,6 +47,13 @@ shown(Running, Options, Commands, {Broadcast, _}) ->
     {ok, Next} = replay_broadcast:show({copter_view, Flight}, Speed, Broadcast),
     _ = put(?MODULE, {Next, erlang:monotonic_time(millisecond)}),
     ok.
+
+%% Unless somebody else is shown there.
+opened(Url) ->
+    case replay_neighbour:find(Url, #{}) of
+        none -> replay_broadcast:open(Url);
+        {found, Line} -> {error, Line ++ " (LCM_DEFAULT_URL); the tests are not shown"}
+    end.
 
 title({Test, 1}) -> lists:concat(["test ", Test]);
 title({Test, Attempt}) -> lists:concat(["test ", Test, ", candidate ", Attempt]).

@@ -24,7 +24,7 @@ run(Words) ->
             0;
         {ok, Options} ->
             case located(Options) of
-                {ok, Located} -> played(Located);
+                {ok, Located} -> alone(Located);
                 {error, Line} -> failed(Line, ?USAGE_ERROR)
             end;
         {error, Line} ->
@@ -53,7 +53,7 @@ usage() ->
     "  --token-file FILE      shared with the bridge; whoever comes first makes it\n"
     "  --allow-network        take a URL with ttl > 0\n\n"
     "Ctrl-C ends it; a live flight is stored as a case then.\n"
-    "Exit status: 2 wrong usage or input, 3 an address or a file cannot be used, 130\n"
+    "Exit status: 2 wrong usage or input, or another player on the group, 3 an address or a file cannot be used, 130\n"
     "interrupted.\n".
 
 %% ---- options ----------------------------------------------------------------------------------
@@ -143,6 +143,18 @@ located(Options) ->
 
 cases(Options) -> maps:get(cases, Options, faultcheck_case:directory()).
 
+%% Two on one group would be shown mixed.
+alone(Options) ->
+    case replay_neighbour:find(url(Options), udp(Options)) of
+        none ->
+            played(Options);
+        {found, Line} ->
+            Remedy = ": --group udpm://239.255.76.67:PORT, or make visualizer PORT=N",
+            failed(Line ++ Remedy, ?USAGE_ERROR)
+    end.
+
+udp(Options) -> #{allow_network => maps:get(network, Options, false)}.
+
 played(Options) ->
     case token(Options) of
         {error, Line} -> failed(Line, ?CANNOT);
@@ -165,7 +177,7 @@ server(Options, Token) ->
             speed => maps:get(speed, Options, 1.0)
         },
         url => url(Options),
-        udp => #{allow_network => maps:get(network, Options, false)},
+        udp => udp(Options),
         say => fun(Line) -> io:format("play: ~ts~n", [Line]) end
     }.
 
