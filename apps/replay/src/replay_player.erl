@@ -9,7 +9,7 @@
 -module(replay_player).
 
 -export([open/2, wake/2, next_wake/1, control/4, refresh/1, close/1]).
--export([has_ended/1, first_number/0]).
+-export([has_ended/1, first_number/0, notice/2]).
 -export_type([player/0, options/0, out/0, opening/0]).
 
 -type wall() :: replay_clock:wall().
@@ -31,7 +31,9 @@
 }.
 -type out() ::
     {publish, replay_run:message()}
+    %% for the terminal; for the pages as well
     | {log, string()}
+    | {notice, string()}
     | {store, faultcheck_case:'case'(), [{file:filename(), iodata()}]}.
 
 -record(player, {
@@ -263,15 +265,23 @@ words(passed) -> "passed";
 words(any_failure) -> "failed";
 words({failed, Text}) -> Text.
 
-differing(3, Message, T, Run) ->
+differing(3, Message, T, Run) -> event(<<"verdict">>, "differs: " ++ Message, T, Run);
+differing(_, _, _, Run) -> {[], Run}.
+
+event(Kind, Text, T, Run) ->
     Event = #{
-        t_us => T, kind => <<"verdict">>, a => -1, b => -1, x => 0.0, y => 0.0,
-        text => "differs: " ++ Message
+        t_us => T, kind => Kind, a => -1, b => -1, x => 0.0, y => 0.0, text => Text
     },
     {Messages, Next} = replay_run:told([Event], Run),
-    {publish(Messages), Next};
-differing(_, _, _, Run) ->
-    {[], Run}.
+    {publish(Messages), Next}.
+
+%% @doc A line for whoever looks at the run that is played now: an event of kind `log'. Reports
+%% contain it, so it names no folder.
+-spec notice(string(), player()) -> {[out()], player()}.
+notice(Line, #player{run = Run} = P) ->
+    Now = (replay_run:module_of(Run)):now(replay_run:source(Run)),
+    {Out, Next} = event(<<"log">>, Line, Now, Run),
+    {Out, P#player{run = Next}}.
 
 show(Now, #player{run = Run0} = P) ->
     {Messages, Run1} = replay_run:show(Now, status(P), Run0),
@@ -492,7 +502,7 @@ kept(#player{touched = true, run = Run} = P) ->
     Out =
         case Mod:store(State) of
             {ok, Case, Files} -> {store, Case, Files};
-            {error, Line} -> {log, "not stored: " ++ Line}
+            {error, Line} -> {notice, "not stored: " ++ Line}
         end,
     {[Out], P#player{touched = false}};
 kept(P) ->

@@ -110,25 +110,32 @@ scheduled(#state{timer = Before, player = Player} = State) ->
 -spec terminate(term(), #state{}) -> ok.
 terminate(_, #state{player = Player, lcm = Lcm} = State) ->
     Out = replay_player:close(Player),
-    _ = perform([O || O <- Out, element(1, O) =/= store], State),
-    _ = [ok = stored(Case, Files, fun recorded/2, State) || {store, Case, Files} <- Out],
+    _ = lists:foldl(fun(O, S) -> perform_one(O, fun recorded/2, S) end, State, Out),
     replay_lcm_udp:close(Lcm).
 
-perform(Out, State) -> lists:foldl(fun perform_one/2, State, Out).
+perform(Out, State) ->
+    Aside = fun(Dir, Say) -> spawn_link(fun() -> recorded(Dir, Say) end) end,
+    lists:foldl(fun(O, S) -> perform_one(O, Aside, S) end, State, Out).
 
-perform_one({publish, {Type, Message}}, #state{lcm = Lcm} = State) ->
+perform_one({publish, {Type, Message}}, _, #state{lcm = Lcm} = State) ->
     Bytes = replay_lcm:encode(Type, Message),
     case replay_lcm_udp:publish(Lcm, replay_lcm:channel(Type), Bytes) of
         ok -> State;
         {error, Line} -> failed(Line, State)
     end;
-perform_one({log, Line}, #state{say = Say} = State) ->
+perform_one({log, Line}, _, #state{say = Say} = State) ->
     _ = Say(Line),
     State;
-perform_one({store, Case, Files}, State) ->
-    Aside = fun(Dir, Say) -> spawn_link(fun() -> recorded(Dir, Say) end) end,
-    ok = stored(Case, Files, Aside, State),
-    State.
+perform_one({notice, Line}, _, #state{say = Say} = State) ->
+    _ = Say(Line),
+    noticed(Line, State);
+perform_one({store, Case, Files}, Record, State) ->
+    stored(Case, Files, Record, State).
+
+%% Told to the pages too, with the run that is played now.
+noticed(Line, #state{player = Player} = State) ->
+    {Out, Next} = replay_player:notice(Line, Player),
+    perform(Out, State#state{player = Next}).
 
 failed(Line, #state{failure = Line} = State) ->
     State;
@@ -137,16 +144,16 @@ failed(Line, #state{say = Say} = State) ->
     State#state{failure = Line}.
 
 %% The case, what belongs to it, and its recording, which takes a simulator of its own.
-stored(Case, Files, Record, #state{cases = Cases, say = Say}) ->
+stored(Case, Files, Record, #state{cases = Cases, say = Say} = State) ->
     case faultcheck_case:write(Cases, Case) of
         {ok, Dir} ->
             _ = [ok = replaced(filename:join(Dir, Name), Text) || {Name, Text} <- Files],
             _ = Say("stored this flight as " ++ Dir),
             _ = Record(Dir, Say),
-            ok;
+            noticed("stored the flight as " ++ filename:basename(Dir), State);
         {error, Line} ->
             _ = Say("the flight cannot be stored: " ++ Line),
-            ok
+            noticed("the flight cannot be stored; the player's terminal says why", State)
     end.
 
 replaced(File, Text) ->

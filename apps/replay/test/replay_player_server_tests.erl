@@ -101,8 +101,11 @@ steering_is_released_test() ->
 a_flight_is_stored_when_the_player_ends_test() ->
     with_player(live, fun(#{lcm := L0, player := Player, cases := Cases}) ->
         {_, L1} = await(frame, fun any/1, L0),
-        {#{ok := 1}, _} = ask(1, <<"set">>, #{text => <<"y">>, args => [2.0]}, L1),
+        {#{ok := 1}, L2} = ask(1, <<"set">>, #{text => <<"y">>, args => [2.0]}, L1),
         ok = replay_player_server:stop(Player),
+        {#{text := <<"stored the flight as ", Id/binary>>}, _} =
+            await(event, fun(#{kind := Kind}) -> Kind =:= <<"log">> end, L2),
+        ?assert(filelib:is_dir(filename:join(Cases, Id))),
         [Case] = filelib:wildcard(filename:join(Cases, "*/case.json")),
         {ok, #{status := passed}} = faultcheck_case:read(Case),
         {ok, <<"more">>} = file:read_file(filename:join(filename:dirname(Case), "more.txt"))

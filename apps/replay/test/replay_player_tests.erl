@@ -292,6 +292,15 @@ a_fork_goes_on_and_becomes_a_case_test() ->
     ?assertMatch([_], [S || {store, _, _} = S <- Loaded]),
     ?assertEqual([], replay_player:close(P4)).
 
+a_notice_is_an_event_of_the_run_test() ->
+    {_, P0} = opened(live),
+    {_, P1} = until(500000, P0),
+    {Out, P2} = replay_player:notice("stored the flight", P1),
+    [#{kind := <<"log">>, text := "stored the flight", run := 7, seq := 1}] =
+        of_type(event, Out),
+    {Later, _} = until(1200000, P2),
+    ?assertMatch([_], [E || #{kind := <<"log">>} = E <- of_type(event, Later)]).
+
 a_live_flight_in_which_nobody_did_anything_is_not_kept_test() ->
     {_, P0} = opened(live),
     {_, P1} = until(1000000, P0),
