@@ -7,10 +7,12 @@ import { createTimeAxis } from './model/time_axis';
 import { mountShell } from './shell/shell';
 import { saveSvg } from './shell/saving';
 import { createSettings } from './shell/settings';
+import { beginAgain } from './source/begin_again';
 import { browserViewer, bridgeUrl } from './source/browser';
 import { fetchCase, listCases } from './source/case_list';
 import { embeddedLog } from './source/embedded_log';
 import { browserAddress, followFragment } from './source/follow_fragment';
+import { parseFragment } from './source/fragment';
 import { createTimeline } from './timeline/timeline';
 
 function memory(): Storage | null {
@@ -45,6 +47,8 @@ async function begin(root: HTMLElement): Promise<void> {
     if (socket === null) throw new Error(ack.text);
     await viewer.openLog(await fetchCase(bridge, id), id);
   };
+  const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+  if (!still && parseFragment(location.hash).tUs === null) beginAgain(viewer);
   followFragment(
     viewer,
     browserAddress(window),
