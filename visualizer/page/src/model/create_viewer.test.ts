@@ -213,6 +213,40 @@ describe('live', () => {
     expect((await answer).text).toContain('no answer');
   });
 
+  it('asks a player that was killed and came back for what it showed', async () => {
+    const { world, viewer } = liveViewer(2);
+    const lines: string[] = [];
+    viewer.onRefusal((line) => lines.push(line));
+    const says = (run: number) => ({ mode: 2, paused: true, speed: 0.5, run, durationUs: 9 * S });
+    world.listener?.message({ channel: 'VIZ_CASE', value: aCase([0, 1 * S]) });
+    world.listener?.message({ channel: 'VIZ_STATUS', value: aStatus(says(1)) });
+    viewer.seek(1.5 * S);
+    viewer.setSpeed(0.5);
+    world.pass(2000);
+    world.sent.length = 0;
+    world.listener?.message({ channel: 'VIZ_STATUS', value: aStatus(says(700)) });
+    for (let i = 0; i < 4; i++) {
+      const seq = world.sent[i]?.seq ?? -1;
+      world.listener?.message({ channel: 'VIZ_ACK', value: { client: 'a', seq, ok: true, text: '' } });
+      for (let turn = 0; turn < 5; turn++) await Promise.resolve();
+    }
+    expect(world.sent.map(({ verb, args, text }) => [verb, args, text])).toEqual([
+      ['load', [1], 'c'],
+      ['speed', [0.5], ''],
+      ['pause', [], ''],
+      ['seek', [1.5], ''],
+    ]);
+    expect(lines[0]).toBe('player restarted');
+  });
+
+  it('asks nothing when the same player begins another run', () => {
+    const { world } = liveViewer(2);
+    world.listener?.message({ channel: 'VIZ_CASE', value: aCase([0]) });
+    world.pass(2000);
+    world.listener?.message({ channel: 'VIZ_STATUS', value: aStatus({ run: 2 }) });
+    expect(world.sent).toEqual([]);
+  });
+
   it('tells of a refused seek, and does not send without control', async () => {
     const { world, viewer } = liveViewer(2);
     world.listener?.granted(false);

@@ -8,10 +8,12 @@ import { commandAt } from './event_log';
 import { type PackedFrame, unpackFrame } from './packed_frame';
 import { type PackedRisk, unpackRisk } from './packed_risk';
 import { PendingControl, refusal, refusalLine } from './pending_control';
+import { PlayerWatch } from './player_watch';
 import { type PlayContext, Playback, type Wish } from './playback';
 import { RunData } from './run_data';
 import { Selection } from './selection';
-import type { Connection, Topic, Viewer, ViewerState } from './viewer';
+import { type Shown, showAgain, shownOfReplay } from './show_again';
+import { type Connection, NOT_CONNECTED, type Topic, type Viewer, type ViewerState } from './viewer';
 
 // One control message; the link adds the token.
 export type Asked = Omit<ControlRequest, 'token'>;
@@ -39,19 +41,6 @@ export interface Surroundings {
   firstSeq: number; // of control messages; different from page to page
 }
 
-export const NOT_CONNECTED: Connection = {
-  kind: 'none',
-  connected: false,
-  retryInS: 0,
-  group: '',
-  packets: 0,
-  lost: 0,
-  dropped: 0,
-  bytesPerSec: 0,
-  fileName: '',
-  error: '',
-};
-
 // Longer pauses between two animation frames (a page in the background) do not count as playing.
 const LONGEST_TICK_S = 0.25;
 // Staleness and unanswered controls are looked at this often.
@@ -72,6 +61,7 @@ class ViewerModel implements Viewer {
   shown: PackedFrame | null = null;
   readonly playback = new Playback();
   readonly selection = new Selection();
+  private readonly player = new PlayerWatch();
   private link: Link | null = null;
   private granted = false;
   private everConnected = false;
@@ -119,18 +109,8 @@ class ViewerModel implements Viewer {
     this.playback.following = false;
     this.playback.tUs = data.frames.first?.tUs ?? 0;
     this.chooseObserver();
-    this.touch(
-      'source',
-      'status',
-      'case',
-      'world',
-      'faults',
-      'events',
-      'time',
-      'buffer',
-      'playback',
-      'selection',
-    );
+    this.touch('source', 'status', 'case', 'world', 'faults');
+    this.touch('events', 'time', 'buffer', 'playback', 'selection');
   }
 
   connect(url: string): void {
@@ -153,8 +133,16 @@ class ViewerModel implements Viewer {
       this.pending.answered(message.value);
       return;
     }
+    const before = this.data.run;
+    const other = 'run' in message.value && message.value.run !== before;
+    const shown = other ? shownOfReplay(this.data, this.playback) : null; // a new run's data take its place
     this.data.take(message, this.changed);
-    if (this.data.runs !== this.knownRuns) this.beginRun();
+    const { run, runs } = this.data;
+    if (runs !== this.knownRuns) {
+      this.beginRun();
+      if (this.player.isAnother(run, before, receivedMs)) this.playerRestarted(shown);
+    }
+    if ('run' in message.value && message.value.run === run) this.player.heard(receivedMs);
     if (message.channel === 'VIZ_FRAME') this.lastFrameMs = receivedMs;
     if (message.channel === 'VIZ_STATUS') this.playback.heardFromPlayer(this.producing);
     this.wake();
@@ -333,6 +321,7 @@ class ViewerModel implements Viewer {
   private setConnection(change: Partial<Connection>): void {
     this.connection = { ...this.connection, ...change };
     if (change.connected === true) this.everConnected = true;
+    if (change.connected === true) this.player.heard(this.outside.now());
     if (change.connected === false) this.granted = false;
     this.touch('source');
   }
@@ -342,6 +331,18 @@ class ViewerModel implements Viewer {
     this.playback.reset(this.producing || this.data.status === null);
     this.changed.add('playback');
     this.changed.add('time');
+  }
+
+  private playerRestarted(shown: Shown | null): void {
+    this.complain('player restarted');
+    if (shown === null || this.sendingReason !== '') return;
+    void showAgain(shown, (verb, args, text) => this.control(verb, -1, args, text)).then((refused) => {
+      if (refused !== '') this.complain(refused);
+    });
+  }
+
+  private complain(line: string): void {
+    for (const listener of this.refusalListeners) listener(line);
   }
 
   // Without a choice of the user's, the one whose contours come is looked at, else the first.
@@ -382,8 +383,7 @@ class ViewerModel implements Viewer {
   private perform(verb: string, object: number, args: readonly number[]): void {
     if (this.sendingReason !== '' && QUIET_VERBS.includes(verb)) return;
     void this.control(verb, object, args).then((ack) => {
-      if (ack.ok) return;
-      for (const listener of this.refusalListeners) listener(refusalLine(verb, ack.text));
+      if (!ack.ok) this.complain(refusalLine(verb, ack.text));
     });
   }
 

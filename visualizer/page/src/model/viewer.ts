@@ -39,6 +39,19 @@ export interface Connection {
   error: string; // one line, '' for none: 'type mismatch: rebuild' and the like
 }
 
+export const NOT_CONNECTED: Connection = {
+  kind: 'none',
+  connected: false,
+  retryInS: 0,
+  group: '',
+  packets: 0,
+  lost: 0,
+  dropped: 0,
+  bytesPerSec: 0,
+  fileName: '',
+  error: '',
+};
+
 export interface Collision {
   tUs: number;
   a: number; // object
@@ -133,7 +146,8 @@ export interface Viewer {
   // To the player; resolves with its answer, or one that is not ok after 1 s without any.
   control(verb: string, object?: number, args?: readonly number[], text?: string): Promise<Ack>;
 
-  // Told in one line of what the player refused that was asked by playing, seeking and observing.
+  // Told in one line of what the player refused that was asked by playing, seeking and observing, and
+  // of its being started anew.
   onRefusal(listener: (line: string) => void): () => void;
 
   // For drawings: the run's frames in columns (packed_frame.ts), the one shown, and the observer's
