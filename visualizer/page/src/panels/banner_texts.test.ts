@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { NOT_CONNECTED } from '../model/create_viewer';
+import { NOT_CONNECTED } from '../model/viewer';
 import { aCase, anObject, aStatus } from '../model/testing';
 import { bannersOf } from './banner_texts';
 

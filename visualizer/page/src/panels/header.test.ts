@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { NOT_CONNECTED } from '../model/create_viewer';
+import { NOT_CONNECTED } from '../model/viewer';
 import { aCase, anObject } from '../model/testing';
 import { caseOptions, caseTitle, connectionText, summaryText, toneOf } from './header';
 
