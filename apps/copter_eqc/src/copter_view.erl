@@ -20,7 +20,7 @@
     'case' = none :: none | faultcheck_case:'case'(),
     name :: string(),
     original = 0 :: non_neg_integer(),
-    %% of a stored counterexample
+    %% of a stored counterexample, or of a test
     origin = none :: none | copter_stored:origin(),
     settings :: copter_sut:settings(),
     recorded :: unknown | any_failure | replay_source:ending(),
@@ -47,7 +47,8 @@
 
 %% ---- opening ----------------------------------------------------------------------------------
 
-%% @doc See replay_source. Also `{flight, Name, Settings, Plan}', without a case.
+%% @doc See replay_source. Also a flight without a case, `{flight, Name, Settings, Plan}', and that
+%% of a test which is running, `{test, Name, Origin, Settings, Plan}'.
 -spec open(replay_source:what()) -> {ok, view()} | {error, string()}.
 open({'case', Dir, Which}) ->
     Scenario = filename:join(Dir, "scenario.json"),
@@ -76,6 +77,8 @@ open({scenario, File}) ->
     end);
 open({flight, Name, Settings, Plan}) ->
     {ok, of_plan(Name, Settings, Plan)};
+open({test, Name, Origin, Settings, Plan}) ->
+    {ok, (of_plan(Name, Settings, Plan))#view{origin = Origin}};
 open(live) ->
     Settings = settings_of(#{world => reference}),
     Empty = of_plan("flown by hand", Settings, #{planned => [], end_us => 0}),

@@ -19,7 +19,7 @@ test(Options, Commands) ->
         true -> watched(faultcheck_instrument:running(), Options, Commands)
     end.
 
-watched({_, Attempt} = Running, Options, Commands) ->
+watched(#{attempt := Attempt} = Running, Options, Commands) ->
     Now = erlang:monotonic_time(millisecond),
     case {Attempt, get(?MODULE)} of
         {_, cannot} -> ok;
@@ -42,9 +42,9 @@ shown(Running, Options, Commands, undefined) ->
 shown(Running, Options, Commands, {Broadcast, _}) ->
     #{dt_us := Dt} = Settings = copter_sut:settings(Options),
     #{end_us := End} = Plan = copter_plan:from_commands(Commands, Dt),
-    Flight = {flight, title(Running), Settings, Plan},
+    Test = {test, title(Running), origin(Running, Commands), Settings, Plan},
     Speed = max(?SPEED, End / 1.0e6 / ?LONGEST_S),
-    {ok, Next} = replay_broadcast:show({copter_view, Flight}, Speed, Broadcast),
+    {ok, Next} = replay_broadcast:show({copter_view, Test}, Speed, Broadcast),
     _ = put(?MODULE, {Next, erlang:monotonic_time(millisecond)}),
     ok.
 
@@ -55,8 +55,14 @@ opened(Url) ->
         {found, Line} -> {error, Line ++ " (LCM_DEFAULT_URL); the tests are not shown"}
     end.
 
-title({Test, 1}) -> lists:concat(["test ", Test]);
-title({Test, Attempt}) -> lists:concat(["test ", Test, ", candidate ", Attempt]).
+title(#{test := Test, attempt := 1}) -> lists:concat(["test ", Test]);
+title(#{test := Test, attempt := N}) -> lists:concat(["test ", Test, ", candidate ", N]).
+
+origin(#{property := {Module, Name}, seed := Seed, test := Test}, Commands) ->
+    #{
+        property => lists:concat([Module, ":", Name]), seed => Seed, test => Test,
+        commands => length(Commands)
+    }.
 
 %% As the programs of LCM choose it.
 url() ->

@@ -39,6 +39,11 @@ watched_tests_are_heard_and_come_to_the_same_test_() ->
         ?assertEqual(Unwatched, Watched),
         ?assertEqual([<<"test 1">>, <<"test 2">>],
                      lists:usort([Id || {case_info, #{case_id := Id}} <- Heard])),
+        %% what they are, and how to repeat them
+        ?assertEqual(
+            [{<<"copter_watch_tests:few">>, <<"4711, test ", N>>} || N <- "12"],
+            lists:usort([{P, S} || {case_info, #{property := P, seed := S}} <- Heard])
+        ),
         Runs = lists:usort([R || {frame, #{run := R}} <- Heard]),
         ?assertMatch([_, _], Runs),
         %% each up to its verdict

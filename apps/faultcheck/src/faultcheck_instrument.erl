@@ -8,7 +8,7 @@
 
 -export([peel/1, independent/1, test/2, seed/2, size/0, exception/1, running/0]).
 -export([take_samples/1, with_samples/2]).
--export_type([outer/0, plan/0]).
+-export_type([outer/0, plan/0, running/0]).
 
 -type outer() :: #{
     numtests => pos_integer(),
@@ -28,6 +28,13 @@
     samples => true,
     %% told the value of each outermost ?FORALL, whose body is then not run
     instead => fun((term()) -> ok)
+}.
+%% A test, and the how many-th time its property runs: 1, and more for candidates of its shrinking.
+-type running() :: #{
+    property := {module(), atom()},
+    seed := non_neg_integer(),
+    test := pos_integer(),
+    attempt := non_neg_integer()
 }.
 
 %% @doc Takes off the wrappers that PropEr accepts only at the outermost place.
@@ -79,7 +86,8 @@ begin_test(Test, #{property := Property, seed := Seed, next := Next} = Plan) ->
             Instead;
         Number ->
             _ = seed(Seed, Number),
-            _ = put({?MODULE, running}, {Number, 0}),
+            Running = #{property => Property, seed => Seed, test => Number, attempt => 0},
+            _ = put({?MODULE, running}, Running),
             ok = faultcheck_journal:test(#{
                 property => Property, seed => Seed, test => Number, size => size()
             }),
@@ -149,13 +157,12 @@ body(Instance, Body, Place, Plan) ->
     guarded(fun() -> Body(Instance) end, nested, Plan).
 
 attempt() ->
-    {Number, Attempt} = get({?MODULE, running}),
-    _ = put({?MODULE, running}, {Number, Attempt + 1}),
+    #{attempt := Attempt} = Running = get({?MODULE, running}),
+    _ = put({?MODULE, running}, Running#{attempt := Attempt + 1}),
     faultcheck_journal:attempt().
 
-%% @doc The number of the test that this process runs, and the how many-th time it does: 1, and more
-%% for candidates of its shrinking. none: no such test is running.
--spec running() -> {Test :: pos_integer(), Attempt :: pos_integer()} | none.
+%% @doc The test that this process runs. none: no such test is running.
+-spec running() -> running() | none.
 running() ->
     case get({?MODULE, running}) of
         undefined -> none;

@@ -22,6 +22,8 @@
 
 -define(INTERRUPTED, 130).
 -define(USAGE, 2).
+%% where the bridge of the visualizer serves its page unless it is told otherwise
+-define(PAGE, "http://127.0.0.1:8765/").
 
 %% @doc Does what the options say and answers with the exit status of the program.
 -spec run(request()) -> status().
@@ -129,6 +131,8 @@ checks(File, Entries, Properties, Found, Request) ->
 %% ---- a session ----------------------------------------------------------------------------
 
 session(Jobs, Request, AtEnd) ->
+    _ = watched(Request) andalso
+        say("watch: node visualizer/dist/bridge.mjs, then open ~ts", [?PAGE], Request),
     with_session(Request, fun(Run, Session) ->
         {Ended, Outcomes, Next} = properties(Jobs, Run, Session, []),
         _ = Ended =:= interrupted andalso say("===> interrupted", [], Request),
@@ -143,6 +147,8 @@ session(Jobs, Request, AtEnd) ->
             end,
         {Status, Next}
     end).
+
+watched(#{options := Options}) -> maps:get(watch, Options, false).
 
 properties([], _Run, Session, Done) ->
     {done, lists:reverse(Done), Session};

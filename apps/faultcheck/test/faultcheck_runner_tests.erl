@@ -19,6 +19,7 @@ run_test_() ->
 tests() ->
     [
         {"a property that holds", fun holds/1},
+        {"a run that can be watched says once where", fun watched/1},
         {"a wrong result is shrunk and stored", fun wrong/1},
         {"a crash in the VM is confirmed and shrunk in a process of its own", fun crash/1},
         {"a crash in a guided search is confirmed and shrunk, too", fun search_crash/1},
@@ -56,6 +57,13 @@ holds(Dir) ->
     ?assertEqual(0, Status),
     contains("OK: Passed 100 test(s).", Text),
     contains("===> 1/1 properties passed", Text).
+
+watched(Dir) ->
+    Line = "watch: node visualizer/dist/bridge.mjs, then open http://127.0.0.1:8765/\n",
+    {1, Text} = run(["-p", "prop_good,prop_wrong", "--watch"], Dir),
+    ?assertMatch([_, _], string:split(Text, Line, all)),
+    {0, Unwatched} = run(["-p", "prop_good"], Dir),
+    ?assertEqual(nomatch, string:find(Unwatched, "watch:")).
 
 wrong(Dir) ->
     {Status, Text} = run(["-p", "prop_wrong", "--seed", "7"], Dir),
