@@ -21,7 +21,7 @@ colours() ->
 page() ->
     "*{box-sizing:border-box}
 body{margin:0;background:var(--ground);color:var(--ink);
-font:15px/1.5 system-ui,'DejaVu Sans',Arial,sans-serif}
+overflow-wrap:break-word;font:15px/1.5 system-ui,'DejaVu Sans',Arial,sans-serif}
 main{max-width:1040px;margin:0 auto;padding:24px 20px 60px}
 h1{font-size:26px;line-height:1.25;margin:8px 0 4px}
 h2{font-size:15px;margin:0 0 10px;text-transform:uppercase;letter-spacing:.05em;
