@@ -94,7 +94,8 @@ usage("proper") ->
 usage("replay") ->
     synopsis("replay") ++ "\n\n"
     "Runs a stored case again and prints each command with its result. CASE is a folder below\n"
-    "cases/ or its name alone, or a case.json. The project in the current folder is compiled first.\n\n"
+    "cases/ or its name alone, or a case.json. The project in the current folder is\n"
+    "compiled first.\n\n"
     "  --original    the failure as it was found, before it was shrunk\n\n" ++ exit_statuses();
 usage("report") ->
     synopsis("report") ++ "\n\n"

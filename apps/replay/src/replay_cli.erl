@@ -53,8 +53,8 @@ usage() ->
     "  --token-file FILE      shared with the bridge; whoever comes first makes it\n"
     "  --allow-network        take a URL with ttl > 0\n\n"
     "Ctrl-C ends it; a live flight is stored as a case then.\n"
-    "Exit status: 2 wrong usage or input, or another player on the group, 3 an address or a file cannot be used, 130\n"
-    "interrupted.\n".
+    "Exit status: 2 wrong usage or input, or another player on the group, 3 an address or a file\n"
+    "cannot be used, 130 interrupted.\n".
 
 %% ---- options ----------------------------------------------------------------------------------
 
