@@ -30,6 +30,9 @@ describe('a replay', () => {
     await opened.until((s) => s.badge === 'DISCONNECTED');
     await bridge.restart();
     await opened.until((s) => s.connection.connected && s.badge !== 'DISCONNECTED');
+    // a page that is opened now gets what happened before
+    const fresh = await openPage(bridge.url);
+    await fresh.until((s) => s.events.some(({ seq }) => seq === 0), 20_000);
     await player.kill();
     startProgram(bridge);
     const later = `(s) => s.run !== ${run} && s.frame !== null && s.badge === 'REPLAY'`;
