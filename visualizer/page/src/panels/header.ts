@@ -1,12 +1,13 @@
 // The header: what is shown, which case, how good the connection is; opening, saving, help.
 
 import type { CaseInfo } from '../../../codec/messages';
-import type { Viewer, ViewerState } from '../model/viewer';
+import type { ViewerState } from '../model/viewer';
 import { button, el, type Option, setClass, setOptions, setText } from '../shell/dom';
 import { type IconName, icon } from '../shell/icons';
 import type { CaseName } from '../shell/parts';
 import { caseParams } from './case_params';
 import { ageText, bytesText } from './format';
+import { FrameRate } from './frame_rate';
 import type { Context, Panel } from './panel';
 
 export interface HeaderActions {
@@ -76,7 +77,10 @@ export function headerPanel(context: Context, actions: HeaderActions): Panel {
     setText(summary, summaryText(state));
     const tone = toneOf(state);
     for (const one of ['good', 'warn', 'bad', 'none']) setClass(dot, one, one === tone);
-    setText(connection, connectionText(state, rate.of(viewer)));
+    setText(
+      connection,
+      connectionText(state, rate.of(viewer.packed.frames.last?.seq ?? null, state.run, performance.now())),
+    );
     for (const one of [reportButton, picture, vector]) one.disabled = state.frame === null;
   };
   return { element, topics: ['source', 'status', 'case', 'buffer', 'time'], everyMs: 200, update };
@@ -129,22 +133,6 @@ export function connectionText(state: Pick<ViewerState, 'badge' | 'connection'>,
   if (lost > 0) parts.push(`${lost} lost`);
   if (dropped > 0) parts.push(`${dropped} dropped`);
   return parts.join(' · ');
-}
-
-// Frames that came in the last second of wall time, by the run's count of frames.
-class FrameRate {
-  private samples: { ms: number; seq: number; run: number }[] = [];
-
-  of({ packed, state }: Viewer): number {
-    const ms = performance.now();
-    if (this.samples.at(-1)?.run !== state.run) this.samples = [];
-    this.samples.push({ ms, seq: packed.frames.last?.seq ?? 0, run: state.run });
-    while (this.samples.length > 2 && ms - (this.samples[1]?.ms ?? ms) > 1000) this.samples.shift();
-    const first = this.samples[0];
-    const last = this.samples.at(-1);
-    if (first === undefined || last === undefined || ms <= first.ms) return 0;
-    return Math.max(0, Math.round(((last.seq - first.seq) * 1000) / (ms - first.ms)));
-  }
 }
 
 function withIcon(name: IconName, label: string, onClick: () => void): HTMLButtonElement {
