@@ -220,7 +220,7 @@ describe('a report', () => {
     await drop('letter.lcm', new TextEncoder().encode('Dear page, this is no log.'));
     await page.locator('.notice.bad', { hasText: 'letter.lcm' }).waitFor();
     await drop('page.html', new TextEncoder().encode('<p>hello'));
-    await page.getByText('page.html: expected a report with a log inside').waitFor();
+    await page.getByText('page.html: not an LCM log or a report').waitFor();
     await drop('scene.lcm', sceneLog());
     await page.locator('.badge[data-badge="FILE"]').waitFor();
   });

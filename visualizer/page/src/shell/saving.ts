@@ -89,6 +89,6 @@ async function attempt(context: Context, what: string, work: () => Promise<void>
 
 async function logInReport(text: string, name: string): Promise<ArrayBuffer> {
   const log = await embeddedLog(new DOMParser().parseFromString(text, 'text/html'));
-  if (log === null) throw new Error(`${name}: expected a report with a log inside`);
+  if (log === null) throw new Error(`${name}: not an LCM log or a report`);
   return log.bytes;
 }

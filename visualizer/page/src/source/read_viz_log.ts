@@ -15,6 +15,7 @@ export async function readVizLog(
   pause: () => Promise<void>,
 ): Promise<string> {
   const log = readLog(new Uint8Array(bytes));
+  if (log.messages.length === 0) throw new Error('not an LCM log or a report');
   let taken = 0;
   let problem = log.problem;
   for (const [index, { channel, data }] of log.messages.entries()) {

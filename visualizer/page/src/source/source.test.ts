@@ -59,8 +59,8 @@ describe('a log', () => {
   it('something else is refused in one line', async () => {
     await expect(
       read(new TextEncoder().encode('<html>not a log at all, but long enough</html>')),
-    ).rejects.toThrow('eda1da01');
-    await expect(read(new Uint8Array(0))).rejects.toThrow('no message of the visualizer');
+    ).rejects.toThrow('not an LCM log or a report');
+    await expect(read(new Uint8Array(0))).rejects.toThrow('not an LCM log or a report');
   });
 });
 
