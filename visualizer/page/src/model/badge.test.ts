@@ -39,6 +39,7 @@ it('gives the reason why control is disabled, none when it is not', () => {
     controlReason('socket', true, aStatus({ mode: 1, controlAllowed: false }), true),
     controlReason('socket', true, aStatus({ mode: 2 }), true),
     controlReason('socket', true, aStatus({ mode: 0 }), true),
+    controlReason('socket', true, aStatus({ mode: 1, verdict: 2 }), true),
   ];
   expect(others.every((reason) => reason.length > 5)).toBe(true);
   expect(new Set(others).size).toBe(others.length);

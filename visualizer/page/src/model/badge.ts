@@ -1,6 +1,6 @@
 // The badge of the header: in one word, what is shown (table of states in docs/visualizer.md).
 
-import { Mode, type Status } from '../../../codec/messages';
+import { Mode, type Status, Verdict } from '../../../codec/messages';
 import type { Badge, SourceKind } from './viewer';
 
 export interface BadgeFacts {
@@ -41,5 +41,6 @@ export function controlReason(
   if (status.mode === Mode.replay) {
     return 'Read only: this is a replay. Fork it into a live run to change it.';
   }
-  return status.mode === Mode.live ? '' : 'The player is idle.';
+  if (status.mode !== Mode.live) return 'The player is idle.';
+  return status.verdict === Verdict.running ? '' : 'The flight is over: restart the run.';
 }

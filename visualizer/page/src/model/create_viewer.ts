@@ -270,6 +270,12 @@ class ViewerModel implements Viewer {
     return controlReason(kind, connected, this.data.status, this.granted);
   }
 
+  get askReason(): string {
+    const { status } = this.data;
+    if (status === null) return this.sendingReason || 'no player answers';
+    return this.sendingReason || (status.controlAllowed ? '' : 'the player was started without control');
+  }
+
   get producing(): boolean {
     const status = this.data.status;
     const { kind, connected } = this.connection;
@@ -501,6 +507,9 @@ function stateOf(model: ViewerModel): ViewerState {
     },
     get controlReason() {
       return model.reason;
+    },
+    get askReason() {
+      return model.askReason;
     },
     get run() {
       return model.data.run;

@@ -68,6 +68,7 @@ export interface ViewerState {
   status: Status | null; // of the player, or made up for a file
   controlAllowed: boolean;
   controlReason: string; // why inject and steer are disabled, '' when they are not
+  askReason: string; // why the player takes no wishes, be it live or a replay; '' when it does
 
   run: number;
   caseInfo: CaseInfo | null;

@@ -1,5 +1,6 @@
 // Steering the observer by hand: keys WASD and QE or the buttons, while held; stop everything.
 
+import { Mode } from '../../../codec/messages';
 import { refusalLine } from '../model/pending_control';
 import { button, el, setClass, setHidden, setText } from '../shell/dom';
 import { type SteerKey, steerKeys } from '../shell/keys';
@@ -58,12 +59,12 @@ export function steerPanel(context: Context): SteerPanel {
     for (const [key, one] of buttons) setClass(one, 'held', pad.keys.has(key));
   };
   const update = (): void => {
-    const { controlAllowed, controlReason, observer, frame } = viewer.state;
+    const { controlAllowed, controlReason, askReason, observer, frame, status } = viewer.state;
     if (!controlAllowed || (pad.keys.size > 0 && observer !== steered)) pad.releaseAll();
     for (const one of buttons.values()) one.disabled = !controlAllowed || observer < 0;
     stop.disabled = !controlAllowed;
-    restart.disabled = !controlAllowed;
-    const why = controlReason === '' && observer < 0 ? 'Choose an object first.' : controlReason;
+    restart.disabled = askReason !== '' || status?.mode !== Mode.live; // also when the flight is over
+    const why = controlReason !== '' ? controlReason : unsteered(observer, status?.paused === true);
     setText(reason, why);
     setHidden(reason, why === '');
     const object = frame?.objects.find((o) => o.id === observer);
@@ -84,6 +85,12 @@ export function steerPanel(context: Context): SteerPanel {
     release: (key) => pad.release(key),
     releaseAll: () => pad.releaseAll(),
   };
+}
+
+// Why steering does nothing now although it is allowed.
+function unsteered(observer: number, paused: boolean): string {
+  if (observer < 0) return 'Choose an object first.';
+  return paused ? 'Paused: play to see it steered.' : '';
 }
 
 // Answers to steering are told only when they are refusals.
