@@ -3,6 +3,7 @@
 import { button, el, labelled, newId, setText } from '../shell/dom';
 import { caseParams } from './case_params';
 import { objectName } from './format';
+import { freePlace } from './free_place';
 import { act, type Context, type Panel } from './panel';
 
 export function runControlsPanel(context: Context): Panel {
@@ -80,19 +81,34 @@ function objects(context: Context): Part {
   const y = input({ inputmode: 'decimal', size: '5', value: '0' });
   const add = el('button', { type: 'submit' }, 'Add');
   const remove = button('Remove observer', () => void act(context, 'remove_object', viewer.state.observer));
+  let chosen = false; // by the user; else a free place is proposed
+  for (const one of [x, y]) {
+    one.addEventListener('input', () => {
+      chosen = true;
+    });
+  }
   const submit = (): void => {
     const at = [Number(x.value), Number(y.value)];
-    if (at.every(Number.isFinite)) void act(context, 'add_object', -1, at);
-    else context.notify(`position: expected two numbers in m, got "${x.value}" and "${y.value}"`, true);
+    if (at.every(Number.isFinite)) {
+      chosen = false;
+      void act(context, 'add_object', -1, at);
+    } else context.notify(`position: expected two numbers in m, got "${x.value}" and "${y.value}"`, true);
   };
+  const propose = (): void => {
+    const [freeX, freeY] = freePlace(viewer.state.frame?.objects ?? [], viewer.state.world);
+    x.value = String(freeX);
+    y.value = String(freeY);
+  };
+  const element = form('Objects', submit, [
+    el('div', { class: 'two' }, labelled('x in m', x), labelled('y in m', y)),
+    el('p', { class: 'row' }, add, remove),
+  ]);
   return {
-    element: form('Objects', submit, [
-      el('div', { class: 'two' }, labelled('x in m', x), labelled('y in m', y)),
-      el('p', { class: 'row' }, add, remove),
-    ]),
+    element,
     update: (allowed) => {
       const object = viewer.state.frame?.objects.find((o) => o.id === viewer.state.observer);
       add.disabled = !allowed;
+      if (allowed && !chosen && document.activeElement !== x && document.activeElement !== y) propose();
       remove.disabled = !allowed || object === undefined;
       setText(remove, object === undefined ? 'Remove observer' : `Remove ${objectName(object)}`);
     },
