@@ -94,6 +94,7 @@ describe('a live flight', () => {
     const opened = await flight();
     const form = opened.page.getByRole('region', { name: 'Inject fault' });
     await form.getByRole('textbox', { name: 'constant' }).fill('2');
+    await form.getByRole('textbox', { name: 'For' }).fill(''); // not for one call only, but until it is cleared
     await form.getByRole('button', { name: 'Inject' }).click();
     await opened.until((s) => (s.faults?.items.length ?? 0) === 1 && s.faults?.items[0]?.type === 'offset');
     await opened.until((s) => s.frame?.objects.some(({ flags }) => (flags & 4) !== 0) ?? false);

@@ -6,7 +6,7 @@ import { type Field, fieldsOf, findModel, injection, modelsOf, probeUnit } from 
 import { forkHere } from './fork';
 import { objectName } from './format';
 import { act, type Context, type Panel } from './panel';
-import { type Place, places } from './probes';
+import { isPosition, type Place, places } from './probes';
 
 const classTitles: Readonly<Record<string, string>> = {
   probe: 'values',
@@ -53,6 +53,7 @@ class InjectForm {
   private shownFields = '';
   private places: readonly Place[] = [];
   private observer = -1;
+  private timed = false; // by the user; else the probe says how long
 
   constructor(private readonly context: Context) {
     this.clear = button('Clear all', () => void act(context, 'clear_faults'));
@@ -62,6 +63,11 @@ class InjectForm {
     this.object.addEventListener('change', () => this.showProbes());
     this.probe.addEventListener('change', () => this.showModels());
     this.model.addEventListener('change', () => this.showFields());
+    for (const control of [this.start, this.length, this.unit]) {
+      control.addEventListener('input', () => {
+        this.timed = true;
+      });
+    }
     this.element = this.build();
   }
 
@@ -154,8 +160,15 @@ class InjectForm {
         group: classTitles[of] ?? of,
       })),
     );
+    if (!this.timed) this.proposeLength();
     if (before === '' && this.where() === 'probe') this.model.value = 'offset';
     this.showFields();
+  }
+
+  private proposeLength(): void {
+    const once = isPosition(this.probe.value);
+    this.length.value = once ? '1' : '';
+    this.unit.value = once ? 'calls' : 's';
   }
 
   private showFields(): void {

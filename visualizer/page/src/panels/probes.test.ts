@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { anObject } from '../model/testing';
 import { readParams } from './case_params';
-import { places } from './probes';
+import { isPosition, places } from './probes';
 
 const world = { run: 1, version: 1, seg: [], anchors: [{ id: 3, pos: [0, 0, 1] as const }], polys: [] };
 
@@ -40,3 +40,8 @@ test.each(['', '[]', '{"probes":7,"settings":{"a":"b"}}', '{"probes":[1]}'])(
     expect([params.probes, [...params.settings]]).toEqual([[], []]);
   },
 );
+
+test('the probes of a position are told from those of its anchors and other values', () => {
+  expect(['PxId1', 'PyId12'].every(isPosition)).toBe(true);
+  expect(['YawId1', 'AnchXId1Anch2', 'RangeId1Anch2', 'PxId', 'speed'].some(isPosition)).toBe(false);
+});

@@ -22,6 +22,12 @@ export function places(params: CaseParams, objects: readonly VizObject[], world:
   return objects.filter((o) => o.kind === ObjectKind.copter).flatMap(({ id }) => ofCopter(id, world));
 }
 
+// A copter's own position: the probe is applied in place, so that an offset adds up call by call
+// (docs/coptersim.md).
+export function isPosition(probe: string): boolean {
+  return /^P[xy]Id\d+$/.test(probe);
+}
+
 function ofCopter(id: number, world: World | null): Place[] {
   const anchors = world?.anchors ?? [];
   return [
