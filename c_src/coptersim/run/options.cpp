@@ -1,8 +1,9 @@
 /* options.cpp: reads the command line. */
 #include "options.hpp"
 
+#include "command_line.hpp"
+
 #include <cmath>
-#include <cstdlib>
 
 namespace coptersim_run {
 
@@ -34,17 +35,6 @@ Formats: docs/copter_scenarios.md. Exit status: 0 done, also after a collision; 
 )";
 
 namespace {
-
-bool read_number(const std::string &text, double low, double high, double &number) {
-    char *end = nullptr;
-    number = std::strtod(text.c_str(), &end);
-    return !text.empty() && *end == '\0' && number >= low && number <= high;
-}
-
-bool wrong(std::string &error, const std::string &option, const std::string &expected) {
-    error = option + ": " + expected + " expected";
-    return false;
-}
 
 bool read_range(const std::string &text, search_range &range) {
     std::size_t equals = text.find('='), colon = text.find(':', equals + 1);
@@ -92,16 +82,6 @@ bool take(const std::string &name, const std::string &value, options &o, std::st
     return read_range(value, *o.bisect) || wrong(error, name, "NAME=LOW:HIGH with LOW < HIGH");
 }
 
-bool has_value(const std::string &name) {
-    for (const char *known : {"--format", "--out", "--set", "--threads", "--build", "--speed",
-                              "--part-ms", "--bisect"}) {
-        if (name == known) {
-            return true;
-        }
-    }
-    return false;
-}
-
 bool take_flag(const std::string &name, options &o) {
     if (name == "--help" || name == "-h") {
         o.help = true;
@@ -118,28 +98,16 @@ bool take_flag(const std::string &name, options &o) {
 } // namespace
 
 bool parse_options(int argc, char **argv, options &result, std::string &error) {
-    for (int i = 1; i < argc; i++) {
-        std::string word = argv[i];
-        std::size_t equals = word.find('=');
-        std::string name = word.substr(0, equals);
-        if (word.size() < 2 || word[0] != '-') {
-            if (!result.scenario.empty()) {
-                error = "one scenario expected, not also \"" + word + "\"";
-                return false;
-            }
-            result.scenario = word;
-        } else if (has_value(name)) {
-            bool inside = equals != std::string::npos;
-            if (!inside && i + 1 == argc) {
-                return wrong(error, name, "a value");
-            }
-            if (!take(name, inside ? word.substr(equals + 1) : argv[++i], result, error)) {
-                return false;
-            }
-        } else if (!take_flag(word, result)) {
-            error = "unknown option " + word + "; see coptersim_run --help";
-            return false;
-        }
+    command_line line;
+    line.program = "coptersim_run";
+    line.with_value = {"--format", "--out",   "--set",     "--threads",
+                       "--build",  "--speed", "--part-ms", "--bisect"};
+    line.take = [&result](const std::string &name, const std::string &value, std::string &why) {
+        return take(name, value, result, why);
+    };
+    line.take_flag = [&result](const std::string &name) { return take_flag(name, result); };
+    if (!read_words(line, argc, argv, result.scenario, error)) {
+        return false;
     }
     if (result.scenario.empty() && !result.help) {
         error = "a scenario expected; see coptersim_run --help";

@@ -1,10 +1,10 @@
 /* options.cpp: reads the command line. */
 #include "options.hpp"
 
+#include "command_line.hpp"
 #include "publisher.hpp"
 
 #include <cmath>
-#include <cstdlib>
 
 namespace coptersim_stream {
 
@@ -29,27 +29,10 @@ Exit status: 0 done, also after a collision; 2 wrong command line or scenario, n
 cannot be written; 130 interrupted, without a log.
 )";
 
+using coptersim_run::read_number;
+using coptersim_run::wrong;
+
 namespace {
-
-bool wrong(std::string &error, const std::string &option, const std::string &expected) {
-    error = option + ": " + expected + " expected";
-    return false;
-}
-
-bool read_number(const std::string &text, double low, double high, double &number) {
-    char *end = nullptr;
-    number = std::strtod(text.c_str(), &end);
-    return !text.empty() && *end == '\0' && number >= low && number <= high;
-}
-
-bool has_value(const std::string &name) {
-    for (const char *known : {"--lcm-url", "--log", "--speed", "--observer", "--set"}) {
-        if (name == known) {
-            return true;
-        }
-    }
-    return false;
-}
 
 bool take(const std::string &name, const std::string &value, options &o, std::string &error) {
     double number = 0;
@@ -99,30 +82,15 @@ bool check_together(options &o, std::string &error) {
 } // namespace
 
 bool parse_options(int argc, char **argv, options &result, std::string &error) {
-    for (int i = 1; i < argc; i++) {
-        std::string word = argv[i];
-        std::size_t equals = word.find('=');
-        std::string name = word.substr(0, equals);
-        if (word.size() < 2 || word[0] != '-') {
-            if (!result.scenario.empty()) {
-                error = "one scenario expected, not also \"" + word + "\"";
-                return false;
-            }
-            result.scenario = word;
-        } else if (has_value(name)) {
-            bool inside = equals != std::string::npos;
-            if (!inside && i + 1 == argc) {
-                return wrong(error, name, "a value");
-            }
-            if (!take(name, inside ? word.substr(equals + 1) : argv[++i], result, error)) {
-                return false;
-            }
-        } else if (!take_flag(word, result)) {
-            error = "unknown option " + word + "; see coptersim_stream --help";
-            return false;
-        }
-    }
-    return result.help || check_together(result, error);
+    coptersim_run::command_line line;
+    line.program = "coptersim_stream";
+    line.with_value = {"--lcm-url", "--log", "--speed", "--observer", "--set"};
+    line.take = [&result](const std::string &name, const std::string &value, std::string &why) {
+        return take(name, value, result, why);
+    };
+    line.take_flag = [&result](const std::string &name) { return take_flag(name, result); };
+    return read_words(line, argc, argv, result.scenario, error) &&
+           (result.help || check_together(result, error));
 }
 
 } // namespace coptersim_stream
