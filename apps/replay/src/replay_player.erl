@@ -9,7 +9,7 @@
 -module(replay_player).
 
 -export([open/2, wake/2, next_wake/1, control/4, refresh/1, close/1]).
--export([has_ended/1, first_number/0, notice/2]).
+-export([has_ended/1, first_number/0, notice/2, unsaved/1]).
 -export_type([player/0, options/0, out/0, opening/0]).
 
 -type wall() :: replay_clock:wall().
@@ -495,6 +495,13 @@ act(Action, #player{run = Run0} = P) ->
         {ok, Messages, Run} -> {ok, publish(Messages), P#player{run = replay_run:changed(Run)}};
         {error, _} = Error -> Error
     end.
+
+%% @doc The live flight that would be stored if it ended now.
+-spec unsaved(player()) -> none | {module(), replay_source:state()}.
+unsaved(#player{touched = true, run = Run}) ->
+    {replay_run:module_of(Run), replay_run:source(Run)};
+unsaved(_) ->
+    none.
 
 %% A live flight in which somebody did something becomes a case.
 kept(#player{touched = true, run = Run} = P) ->

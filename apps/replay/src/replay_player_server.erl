@@ -21,10 +21,15 @@
     say :: fun((string()) -> term()),
     timer :: reference(),
     %% the latest failure to send, which is told once
-    failure = "" :: string()
+    failure = "" :: string(),
+    %% of the live flight, in case the player is killed: who writes it; what was written, and when
+    writer = none :: none | pid(),
+    written = none :: none | {module(), replay_source:state()},
+    written_us :: integer()
 }).
 
 -define(US_PER_MS, 1000).
+-define(WRITE_US, 2000000).
 
 %% @doc Opens the source and the sockets, and plays. The error is one line.
 -spec start(options()) -> {ok, pid()} | {error, string()}.
@@ -51,9 +56,10 @@ init(#{player := #{cases := Cases} = Given, url := Url, udp := Udp, say := Say})
                     {stop, {shutdown, Line}};
                 {ok, Out, Player} ->
                     State = #state{
-                        player = Player, lcm = Lcm, cases = Cases, say = Say, timer = make_ref()
+                        player = Player, lcm = Lcm, cases = Cases, say = Say, timer = make_ref(),
+                        written_us = now_us()
                     },
-                    {ok, scheduled(perform(Out, State))}
+                    {ok, scheduled(perform(Out, recovered(State)))}
             end
     end.
 
@@ -68,9 +74,12 @@ handle_cast(_, State) -> {noreply, State}.
 -spec handle_info(term(), #state{}) -> {noreply, #state{}}.
 handle_info({timeout, Timer, wake}, #state{timer = Timer, player = Player} = State) ->
     {Out, Next} = replay_player:wake(now_us(), Player),
-    {noreply, scheduled(perform(Out, State#state{player = Next}))};
+    {noreply, scheduled(kept_safe(perform(Out, State#state{player = Next})))};
 handle_info({timeout, _, wake}, State) ->
     {noreply, State};
+handle_info({'EXIT', Writer, Reason}, #state{writer = Writer, say = Say} = State) ->
+    _ = [Say(line("the flight cannot be kept safe: ~0tp", [Reason])) || Reason =/= normal],
+    {noreply, State#state{writer = none}};
 handle_info({'EXIT', _, Reason}, #state{say = Say} = State) ->
     _ = [Say(line("recording failed: ~0tp", [Reason])) || Reason =/= normal],
     {noreply, State};
@@ -129,8 +138,43 @@ perform_one({log, Line}, _, #state{say = Say} = State) ->
 perform_one({notice, Line}, _, #state{say = Say} = State) ->
     _ = Say(Line),
     noticed(Line, State);
-perform_one({store, Case, Files}, Record, State) ->
-    stored(Case, Files, Record, State).
+perform_one({store, Case, Files}, Record, #state{cases = Cases} = State) ->
+    Stored = stored(Case, Files, Record, State),
+    Idle = without_writer(Stored),
+    ok = replay_unsaved:forget(Cases),
+    Idle#state{written = none}.
+
+%% What a player that was killed has left.
+recovered(#state{cases = Cases, say = Say} = State) ->
+    lists:foreach(
+        fun(Dir) ->
+            _ = Say("stored a flight whose player was killed as " ++ Dir),
+            spawn_link(fun() -> recorded(Dir, Say) end)
+        end,
+        replay_unsaved:recover(Cases)
+    ),
+    State.
+
+%% By another process: a long flight takes a while.
+kept_safe(#state{writer = none, player = Player, written = Before, written_us = At} = State) ->
+    Now = now_us(),
+    case replay_player:unsaved(Player) of
+        {Mod, Source} = Flight when Flight =/= Before, Now - At >= ?WRITE_US ->
+            Cases = State#state.cases,
+            Writer = spawn_link(fun() -> ok = replay_unsaved:write(Cases, Mod, Source) end),
+            State#state{writer = Writer, written = Flight, written_us = Now};
+        _ ->
+            State
+    end;
+kept_safe(State) ->
+    State.
+
+without_writer(#state{writer = none} = State) ->
+    State;
+without_writer(#state{writer = Writer} = State) ->
+    receive
+        {'EXIT', Writer, _} -> State#state{writer = none}
+    end.
 
 %% Told to the pages too, with the run that is played now.
 noticed(Line, #state{player = Player} = State) ->

@@ -111,6 +111,42 @@ a_flight_is_stored_when_the_player_ends_test() ->
         {ok, <<"more">>} = file:read_file(filename:join(filename:dirname(Case), "more.txt"))
     end).
 
+a_live_flight_is_written_while_it_goes_on_test() ->
+    with_player(live, fun(#{lcm := L0, player := Player, cases := Cases}) ->
+        {_, L1} = await(frame, fun any/1, L0),
+        {#{ok := 1}, L2} = ask(1, <<"set">>, #{text => <<"y">>, args => [2.0]}, L1),
+        Pattern = filename:join(Cases, ".unfinished-*/*/more.txt"),
+        Unfinished = fun() -> filelib:wildcard(Pattern) end,
+        %% within ten seconds of flight
+        {#{t_us := T}, _} = await(frame, fun(#{t_us := T}) ->
+            Unfinished() =/= [] orelse T > 10000000
+        end, L2),
+        ?assert(T =< 10000000),
+        ok = replay_player_server:stop(Player),
+        ?assertEqual([], Unfinished()),
+        ?assertMatch([_], filelib:wildcard(filename:join(Cases, "*/case.json")))
+    end).
+
+%% A player that is killed leaves the flight to the next one; here its folder gets the number of a
+%% process that is none.
+a_flight_outlives_its_player_test() ->
+    Cases = cb_files:fresh_name("cases", ""),
+    {ok, Source} = replay_test_source:open(live),
+    ok = replay_unsaved:write(Cases, replay_test_source, Source),
+    ok = replay_unsaved:write(Cases, replay_test_source, Source),
+    %% not while its player lives
+    ?assertEqual([], replay_unsaved:recover(Cases)),
+    [Root] = filelib:wildcard(filename:join(Cases, ".unfinished-*")),
+    ok = file:rename(Root, filename:join(Cases, ".unfinished-999999999")),
+    [Dir] = replay_unsaved:recover(Cases),
+    {ok, #{property := prop_test}} = faultcheck_case:read(Dir),
+    {ok, <<"more">>} = file:read_file(filename:join(Dir, "more.txt")),
+    ?assertEqual([], filelib:wildcard(filename:join(Cases, ".unfinished-*"))),
+    ok = replay_unsaved:write(Cases, replay_test_source, Source),
+    ok = replay_unsaved:forget(Cases),
+    ?assertEqual([], filelib:wildcard(filename:join(Cases, ".unfinished-*"))),
+    ok = file:del_dir_r(Cases).
+
 %% Whoever listens may go and come again.
 a_new_listener_hears_everything_within_a_second_test() ->
     with_player({moving, 60000000, passed, passed}, fun(#{lcm := L0, url := Url}) ->
