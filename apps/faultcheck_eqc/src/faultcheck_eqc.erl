@@ -8,6 +8,9 @@
 %% PropEr 1.5 calls its property types opaque, though a plain boolean is one of them.
 -dialyzer({[no_opaque, no_return], [agrees/1]}).
 
+%% Bytes of a receiver's buffer that any packet fits into.
+-define(ROOM, 64).
+
 -export([agrees/1, profile/0]).
 -export_type([profile/0]).
 
@@ -208,9 +211,12 @@ put_post(S, [Name, Channel, Data], Result) ->
     Result =:= element(1, faultcheck_ref:put(Channel, Data, context(Name, S))).
 
 get_pre(S) -> allowed(channel, S).
-get_args(S) -> [context(S), channel(), receiver(), frequency([{9, 64}, {1, integer(0, 3)}])].
-%% Whether a packet of unknown content fits is not known either: there is room.
-get_pre(S, _) -> get_pre(S).
+get_args(S) -> [context(S), channel(), receiver(), frequency([{9, ?ROOM}, {1, integer(0, 3)}])].
+%% Whether a packet of unknown content fits is not known either: there must be room.
+get_pre(S, [Name, Channel, Receiver, Capacity]) ->
+    get_pre(S) andalso (Capacity >= ?ROOM orelse
+        element(1, faultcheck_ref:get(Channel, Receiver, Capacity, context(Name, S))) =/=
+            {packet, any}).
 get(Name, Channel, Receiver, Capacity) ->
     faultcheck_eqc_sut:get(Name, Channel, Receiver, Capacity).
 get_next(S, _, [Name, Channel, Receiver, Capacity]) ->
