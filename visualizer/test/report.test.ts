@@ -18,6 +18,7 @@ const facts = (opened: Opened): Promise<unknown> =>
   }));
 
 async function saved(opened: Opened, key: string): Promise<string> {
+  await opened.until((s) => s.frame !== null);
   const [download] = await Promise.all([
     opened.page.waitForEvent('download'),
     opened.page.keyboard.press(key),

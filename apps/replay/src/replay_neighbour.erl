@@ -20,10 +20,19 @@ find(Url, Options) ->
 
 %% By a process of its own: packets that come late go with it.
 listening(Url, Options, Address) ->
-    {Pid, Monitor} = spawn_monitor(fun() -> exit({heard, heard(Url, Options)}) end),
+    Caller = self(),
+    {Pid, Monitor} =
+        spawn_monitor(fun() -> Caller ! {?MODULE, self(), heard(Url, Options)} end),
     receive
-        {'DOWN', Monitor, process, Pid, {heard, true}} -> {found, line(Address)};
-        {'DOWN', Monitor, process, Pid, _} -> none
+        {'DOWN', Monitor, process, Pid, _} -> found(Pid, Address)
+    end.
+
+%% What the process has told, if it came to that, was there before its end.
+found(Pid, Address) ->
+    receive
+        {?MODULE, Pid, true} -> {found, line(Address)};
+        {?MODULE, Pid, false} -> none
+    after 0 -> none
     end.
 
 heard(Url, Options) ->
