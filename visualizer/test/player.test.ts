@@ -93,6 +93,7 @@ describe('a live flight', () => {
   test('shows a fault that the form injects: in the list, on the copter, in what it perceives', async () => {
     const opened = await flight();
     const form = opened.page.getByRole('region', { name: 'Inject fault' });
+    await form.getByRole('combobox', { name: 'Probe' }).selectOption('PxId0'); // once the form knows the copter
     await form.getByRole('textbox', { name: 'constant' }).fill('2');
     await form.getByRole('textbox', { name: 'For' }).fill(''); // not for one call only, but until it is cleared
     await form.getByRole('button', { name: 'Inject' }).click();
