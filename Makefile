@@ -38,7 +38,7 @@ replay:  ## run a stored case again: make replay CASE=cases/<id>
 	@scripts/setup.sh --quiet demo
 	@SPEED="$(SPEED)" SET="$(SET)" BISECT="$(BISECT)" scripts/replay.sh "$(CASE)"
 
-# Also LIVE=1, SCENARIO=FILE, ORIGINAL=1, PORT=8765
+# Also LIVE=1, SCENARIO=FILE, ORIGINAL=1, PORT=8765, TILES=DIR (a folder of map tiles)
 visualizer:  ## watch and steer flights in a browser: make visualizer [CASE=cases/<id>]
 	@scripts/setup.sh --quiet visualizer
 	@scripts/visualizer.sh "$(CASE)"

@@ -4,8 +4,9 @@
 #   scripts/visualizer.sh [CASE]     a stored case (or its id alone); without it an example
 #
 # LIVE=1 flies live in an empty world, SCENARIO=FILE in that of a scenario; ORIGINAL=1 plays the failure as it was
-# found. PORT is that of the web server (8765), and decides the multicast port between the two: 7667 for 8765, and so
-# on. One of the two that ends is started again, unless it ends at once.
+# found. TILES=DIR puts map tiles of a folder below the map (docs/visualizer_guide.md). PORT is that of the web server
+# (8765), and decides the multicast port between the two: 7667 for 8765, and so on. One of the two that ends is started
+# again, unless it ends at once.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 case=${1:-}
@@ -43,6 +44,8 @@ fi
 [ -z "${ORIGINAL:-}" ] || what+=(--original)
 [ -z "${LIVE:-}" ] || what+=(--live)
 [ -z "${SCENARIO:-}" ] || what+=(--scenario "$SCENARIO")
+tiles=()
+[ -z "${TILES:-}" ] || tiles=(--tiles "$TILES")
 
 mkdir -p _build
 scripts/build_native.sh release >_build/native.log 2>&1 || { tail -n 30 _build/native.log >&2; exit 3; }
@@ -63,7 +66,7 @@ control=(--allow-control --token-file "$private/token")
 
 # In sessions of their own: Ctrl-C is for this script, which ends them once.
 start_bridge() {
-  setsid node "$bridge" --port "$port" --group "$group" --cases "$cases" "${control[@]}" >>"$output" &
+  setsid node "$bridge" --port "$port" --group "$group" --cases "$cases" "${tiles[@]}" "${control[@]}" >>"$output" &
   bridge_pid=$!
 }
 start_player() {
@@ -87,7 +90,11 @@ trap 'rm -rf "$private"' EXIT
 start_bridge
 # Its first line names the address; it ends without one when it cannot have it.
 until grep -q '^bridge: http' "$output"; do
-  kill -0 "$bridge_pid" 2>/dev/null || end 3
+  if ! kill -0 "$bridge_pid" 2>/dev/null; then
+    status=0
+    wait "$bridge_pid" || status=$?
+    end "$((status ? status : 3))"
+  fi
   sleep 0.1
 done
 start_player

@@ -7,6 +7,7 @@ import { groupName } from './group';
 import { Hub } from './hub';
 import type { Journal } from './journal';
 import type { Options } from './options';
+import { readTileFolder } from './tiles';
 import { sharedToken } from './token';
 import { LcmSocket } from './udp';
 import { Web } from './web';
@@ -23,21 +24,23 @@ export class Bridge {
   private readonly web: Web;
   private clock: NodeJS.Timeout | null = null;
 
-  // Throws one line when the page or the token cannot be read.
+  // Throws one line when the page, the token or the description of the tiles cannot be read.
   constructor(options: Options, pageFile: string, journal: Journal) {
     this.options = options;
     this.journal = journal;
     this.token = options.tokenFile === null ? null : sharedToken(options.tokenFile);
     const page = readFileSync(pageFile);
     const { group, port, bind, cases } = options;
+    const tiles = options.tiles === null ? null : readTileFolder(options.tiles);
     this.hub = new Hub({
       group: groupName(group),
       token: this.token,
+      tiles: tiles?.set ?? null,
       journal,
       control: (client, request) => this.control(client, request),
     });
     this.lcm = new LcmSocket(group, journal, (channel, payload) => this.hub.message(channel, payload));
-    this.web = new Web({ port, bind, cases, page, hub: this.hub, journal });
+    this.web = new Web({ port, bind, cases, tiles, page, hub: this.hub, journal });
   }
 
   // Answers with the address of the page. Rejects when an address is in use.

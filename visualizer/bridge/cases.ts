@@ -1,9 +1,9 @@
 // Stored cases on disk: DIR/<id>/run.lcm.
 
-import { constants } from 'node:fs';
-import { type FileHandle, open, readdir, realpath } from 'node:fs/promises';
-import { join, sep } from 'node:path';
+import { readdir } from 'node:fs/promises';
+import { join } from 'node:path';
 import { caseIdPattern } from '../codec/verbs';
+import { type OpenedFile, openInside } from './inside';
 
 export interface CaseEntry {
   id: string;
@@ -14,23 +14,10 @@ export interface CaseEntry {
 const logName = 'run.lcm';
 
 // The log of a case opened for reading, or null: no such case, or its path leads out of the folder.
-export async function openCase(
-  folder: string,
-  id: string,
-): Promise<{ file: FileHandle; size: number } | null> {
+export async function openCase(folder: string, id: string): Promise<OpenedFile | null> {
   if (!caseIdPattern.test(id)) return null;
-  try {
-    const inside = (await realpath(folder)) + sep;
-    const path = await realpath(join(folder, id, logName));
-    if (!path.startsWith(inside)) return null;
-    const file = await open(path, constants.O_RDONLY | constants.O_NOFOLLOW | constants.O_NONBLOCK);
-    const found = await file.stat();
-    if (found.isFile()) return { file, size: found.size };
-    await file.close();
-    return null;
-  } catch {
-    return null; // not there, or not readable
-  }
+  const opened = await openInside(folder, join(id, logName));
+  return typeof opened === 'string' ? null : opened;
 }
 
 // Cases that have a log, the newest first.

@@ -2,6 +2,7 @@
 
 import type { WebSocket } from 'ws';
 import { type ControlRequest, helloChannels, type Stats, wrap } from '../codec/protocol';
+import type { TileSet } from '../codec/tile_set';
 import { isChannel } from '../codec/viz';
 import { Client } from './client';
 import type { Journal } from './journal';
@@ -13,6 +14,7 @@ export const maxClients = 128;
 export interface HubOptions {
   group: string; // its name
   token: string | null; // null: control is off
+  tiles: TileSet | null; // of the map
   journal: Journal;
   control: (client: string, request: ControlRequest) => boolean; // false: there is no player to hear it
 }
@@ -38,7 +40,7 @@ export class Hub {
   }
 
   add(socket: WebSocket): void {
-    const { token, journal, group } = this.options;
+    const { token, tiles, journal, group } = this.options;
     this.named += 1;
     const client = new Client(socket, `page-${this.named}`, token, journal, {
       control: (from, request) => {
@@ -55,6 +57,7 @@ export class Hub {
       token,
       client: client.name,
       group,
+      tiles,
       channels: { ...helloChannels },
     });
     for (const message of this.newest.all()) client.forward('', message);

@@ -15,6 +15,7 @@ describe('the command line', () => {
         network: false,
       },
       cases: 'cases',
+      tiles: null,
       page: null,
       tokenFile: null,
     });

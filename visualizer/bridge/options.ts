@@ -8,6 +8,7 @@ export interface Options {
   bind: string; // IPv4 address
   group: Group;
   cases: string; // folder
+  tiles: string | null; // folder of map tiles
   page: string | null; // another page than the one beside the bridge
   tokenFile: string | null; // null: pages may not control
 }
@@ -18,13 +19,14 @@ export class UsageError extends Error {}
 export const usage = `bridge.mjs: passes LCM messages on to web pages, and what pages ask of the player back
 
   node bridge.mjs [--port 8765] [--bind 127.0.0.1] [--group URL | --udp 127.0.0.1:7667]
-                  [--cases DIR] [--page FILE] [--allow-control --token-file FILE]
+                  [--cases DIR] [--tiles DIR] [--page FILE] [--allow-control --token-file FILE]
 
   --port N       of the web server, 0 to 65535; 0 takes a free one, and the first line printed names it (8765)
   --bind ADDR    IPv4 address of the web server (127.0.0.1)
   --group URL    multicast group: udpm://239.255.76.67:7667?ttl=0 or 239.255.76.67:7667; --lcm-url is the same
   --udp ADDR     unicast on this address instead; the tools of LCM do not see that
   --cases DIR    folder of stored cases (cases); /cases lists those with a run.lcm
+  --tiles DIR    folder of map tiles, Z/X/Y.png (or jpg, webp), with a tiles.json; none are ever fetched elsewhere
   --page FILE    the page to serve (page.html beside this program)
   --allow-control              pages may control the player, with a token of this file
   --token-file FILE            shared with the player; whoever comes first makes it
@@ -40,6 +42,7 @@ const definition = {
   'lcm-url': { type: 'string' },
   udp: { type: 'string' },
   cases: { type: 'string', default: 'cases' },
+  tiles: { type: 'string' },
   page: { type: 'string' },
   'token-file': { type: 'string' },
   'allow-control': { type: 'boolean', default: false },
@@ -105,6 +108,7 @@ export function parseOptions(argv: string[]): Options | null {
     bind,
     group: chosenGroup(values),
     cases: values.cases ?? 'cases',
+    tiles: values.tiles ?? null,
     page: values.page ?? null,
     tokenFile: values['token-file'] ?? null,
   };

@@ -124,9 +124,9 @@ export function freePort(): Promise<number> {
   });
 }
 
-// A unicast bridge unless a multicast group is named.
+// A unicast bridge unless a multicast group is named; tiles fills the folder of map tiles that it then has.
 export async function startBridge(
-  options: { token?: string; group?: (port: number) => Group } = {},
+  options: { token?: string; group?: (port: number) => Group; tiles?: (folder: string) => void } = {},
 ): Promise<TestBridge> {
   const folder = mkdtempSync(join(tmpdir(), 'bridge-'));
   const page = join(folder, 'page.html');
@@ -149,7 +149,21 @@ export async function startBridge(
     said.changed();
   });
   const cases = join(folder, 'cases');
-  const bridge = new Bridge({ port: 0, bind: '127.0.0.1', group, cases, page, tokenFile }, page, journal);
+  const tiles = join(folder, 'tiles');
+  options.tiles?.(tiles);
+  const bridge = new Bridge(
+    {
+      port: 0,
+      bind: '127.0.0.1',
+      group,
+      cases,
+      tiles: options.tiles === undefined ? null : tiles,
+      page,
+      tokenFile,
+    },
+    page,
+    journal,
+  );
   const port = Number(new URL(await bridge.open()).port);
   const player = await startPlayer(group);
   const sockets: WebSocket[] = [];

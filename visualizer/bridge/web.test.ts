@@ -5,8 +5,16 @@ import { Web } from './web';
 
 function web(port: number): Web {
   const journal = new Journal(() => undefined);
-  const hub = new Hub({ group: 'test', token: null, journal, control: () => false });
-  return new Web({ port, bind: '127.0.0.1', cases: 'none', page: Buffer.alloc(0), hub, journal });
+  const hub = new Hub({ group: 'test', token: null, tiles: null, journal, control: () => false });
+  return new Web({
+    port,
+    bind: '127.0.0.1',
+    cases: 'none',
+    tiles: null,
+    page: Buffer.alloc(0),
+    hub,
+    journal,
+  });
 }
 
 test('a port that is taken is one line with the way out', async () => {

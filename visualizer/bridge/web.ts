@@ -1,4 +1,4 @@
-// The web server: the page, stored cases, and the way to the WebSocket.
+// The web server: the page, stored cases, map tiles, and the way to the WebSocket.
 
 import { createServer, type IncomingMessage, type Server, type ServerResponse } from 'node:http';
 import type { Duplex } from 'node:stream';
@@ -8,12 +8,15 @@ import { maxRequestBytes, subprotocol } from '../codec/protocol';
 import { listCases, openCase } from './cases';
 import { type Hub, maxClients } from './hub';
 import type { Journal } from './journal';
+import type { OpenedFile } from './inside';
 import { Origins } from './origins';
+import { openTile, type TileFolder } from './tiles';
 
 export interface WebOptions {
   port: number;
   bind: string;
   cases: string;
+  tiles: TileFolder | null;
   page: Buffer;
   hub: Hub;
   journal: Journal;
@@ -28,6 +31,9 @@ const security = {
   // The page's own policy is in the page; this adds what only a header can say.
   'Content-Security-Policy': "frame-ancestors 'none'",
 };
+
+// Whole numbers as they are written, of as many digits as the deepest zoom has.
+const tilePath = /^\/tiles\/(0|[1-9]\d{0,9})\/(0|[1-9]\d{0,9})\/(0|[1-9]\d{0,9})$/;
 
 const inUse = (port: number): string =>
   `port ${port} is in use; choose another: --port N (make visualizer PORT=N)`;
@@ -99,20 +105,43 @@ export class Web {
     if (path === '/healthz') return this.json(response, { ok: true, pages: this.options.hub.size });
     if (path === '/cases') return this.json(response, { cases: await listCases(this.options.cases) });
     const id = /^\/cases\/([^/]*)\.lcm$/.exec(path)?.[1];
-    return id === undefined
-      ? this.refuse(request, response, 404, 'no such path')
-      : this.log(request, response, id);
+    if (id !== undefined) return this.log(request, response, id);
+    const tile = tilePath.exec(path);
+    if (tile && this.options.tiles) return this.tile(request, response, this.options.tiles, tile);
+    return this.refuse(request, response, 404, 'no such path');
   }
 
   private async log(request: IncomingMessage, response: ServerResponse, id: string): Promise<void> {
     const found = await openCase(this.options.cases, id);
     if (!found) return this.refuse(request, response, 404, 'no such case');
-    const headers = { ...security, 'Content-Type': 'application/octet-stream', 'Content-Length': found.size };
-    response.writeHead(200, headers);
-    if (request.method === 'HEAD' || found.size === 0) {
-      await found.file.close();
+    await this.stream(request, response, 'application/octet-stream', found);
+  }
+
+  // A place without a tile is nothing wrong, and a browser would complain of a 404: the answer is empty.
+  private async tile(
+    request: IncomingMessage,
+    response: ServerResponse,
+    tiles: TileFolder,
+    [, z, x, y]: RegExpExecArray,
+  ): Promise<void> {
+    const found = await openTile(tiles, Number(z), Number(x), Number(y));
+    if (found === 'refused') return this.refuse(request, response, 404, 'no such tile');
+    if (found !== 'missing') return this.stream(request, response, found.type, found);
+    response.writeHead(204, security);
+    response.end();
+  }
+
+  private async stream(
+    { method }: IncomingMessage,
+    response: ServerResponse,
+    type: string,
+    { file, size }: OpenedFile,
+  ): Promise<void> {
+    response.writeHead(200, { ...security, 'Content-Type': type, 'Content-Length': size });
+    if (method === 'HEAD' || size === 0) {
+      await file.close();
       response.end();
-    } else await pipeline(found.file.createReadStream({ end: found.size - 1 }), response);
+    } else await pipeline(file.createReadStream({ end: size - 1 }), response);
   }
 
   private json(response: ServerResponse, value: object): void {

@@ -29,9 +29,14 @@ describe('messages to the page', () => {
       token: 't',
       client: 'c',
       group: 'g',
+      tiles: { origin: [11.97, 57.69], minzoom: 14, maxzoom: 19, attribution: '' },
       channels: { A: 'viz.a' },
     };
     expect(parseHello(JSON.stringify(hello))).toEqual(hello);
+    expect(parseHello(JSON.stringify({ ...hello, tiles: undefined }))).toEqual({ ...hello, tiles: null });
+    expect(parseHello(JSON.stringify({ ...hello, tiles: 7 }))).toBe(
+      'the map tiles of the bridge: expected a JSON object',
+    );
   });
 
   test('later texts are statistics or refusals', () => {

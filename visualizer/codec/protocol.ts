@@ -4,6 +4,7 @@
 // Bridge to page, text: one JSON object; the first message is `Hello`, later ones `ServerText`.
 // Page to bridge, text: `ControlRequest`.
 
+import { parseTileSet, type TileSet } from './tile_set';
 import { channelTypes } from './viz';
 
 export const subprotocol = 'viz.v1';
@@ -16,6 +17,7 @@ export interface Hello {
   token: string | null; // goes back with each request; null when control is off
   client: string; // the name that answers (VIZ_ACK) to this page carry
   group: string; // where the bridge listens: "239.255.76.67:7667"
+  tiles: TileSet | null; // of the map: GET /tiles/Z/X/Y; null: there are none
   channels: Record<string, string>; // channel: type
 }
 
@@ -83,6 +85,8 @@ export function parseHello(text: string): Hello | string {
   const { start, control, token, client, group, channels } = hello;
   if (typeof start !== 'string' || typeof client !== 'string' || typeof group !== 'string')
     return 'the first message of the bridge is no hello';
+  const tiles = hello.tiles === null || hello.tiles === undefined ? null : parseTileSet(hello.tiles);
+  if (typeof tiles === 'string') return `the map tiles of the bridge: ${tiles}`;
   return {
     v: 1,
     start,
@@ -90,6 +94,7 @@ export function parseHello(text: string): Hello | string {
     token: typeof token === 'string' ? token : null,
     client,
     group,
+    tiles,
     channels: isRecord(channels)
       ? Object.fromEntries(Object.entries(channels).map(([name, type]) => [name, String(type)]))
       : {},
