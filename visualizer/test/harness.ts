@@ -145,6 +145,7 @@ export interface BridgeProcess {
 export interface BridgeSettings {
   control?: boolean;
   cases?: Record<string, Uint8Array>; // id: log
+  tiles?: string; // folder
 }
 
 export async function startBridge(settings: BridgeSettings = {}): Promise<BridgeProcess> {
@@ -161,6 +162,7 @@ export async function startBridge(settings: BridgeSettings = {}): Promise<Bridge
   let child: ChildProcess | null = null;
   const start = async (port: number): Promise<number> => {
     const control = settings.control ? ['--allow-control', '--token-file', tokenFile] : [];
+    const tiles = settings.tiles === undefined ? [] : ['--tiles', settings.tiles];
     const before = lines.length;
     const program = spawn(
       node,
@@ -175,6 +177,7 @@ export async function startBridge(settings: BridgeSettings = {}): Promise<Bridge
         '--page',
         testPage,
         ...control,
+        ...tiles,
       ],
       { stdio: ['ignore', 'pipe', 'pipe'] },
     );

@@ -75,3 +75,30 @@ export function leastContrast(): { ratio: number; text: string } {
   }
   return least;
 }
+
+// The colours of what stands still on the map at some places (device pixels).
+export function pixelsOfMap(places: number[][]): number[][] {
+  const canvas = document.querySelector<HTMLCanvasElement>('canvas.map-canvas');
+  if (canvas === null) return [];
+  const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', {
+    willReadFrequently: true,
+  });
+  copy?.drawImage(canvas, 0, 0);
+  return places.map(([x = 0, y = 0]) => {
+    const read = copy?.getImageData(Math.round(x), Math.round(y), 1, 1);
+    return [...(read?.data.slice(0, 3) ?? [])];
+  });
+}
+
+// The colours of a PNG (base64) at some places, from the left and the top, or if negative from the right and the bottom.
+export async function pixelsOfPng({ png, places }: { png: string; places: number[][] }): Promise<number[][]> {
+  const bytes = Uint8Array.from(atob(png), (char) => char.charCodeAt(0));
+  const picture = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+  const { width, height } = picture;
+  const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+  copy?.drawImage(picture, 0, 0);
+  return places.map(([x = 0, y = 0]) => {
+    const [left, top] = [x < 0 ? width + x : x, y < 0 ? height + y : y];
+    return [...(copy?.getImageData(Math.round(left), Math.round(top), 1, 1).data.slice(0, 3) ?? [])];
+  });
+}

@@ -1,4 +1,6 @@
-// Makes a browser's PNG smaller without changing a pixel: drawings with flat areas compress best without the
+// PNG files without a library.
+//
+// smallerPng makes a browser's PNG smaller without changing a pixel: drawings with flat areas compress best without the
 // filters that suit photographs. For 8-bit RGB and RGBA without interlacing, which is what browsers write.
 
 import { crc32, deflateSync, inflateSync } from 'node:zlib';
@@ -20,13 +22,20 @@ export function smallerPng(png: Buffer): Buffer {
   const data = Buffer.concat(chunks.filter(({ type }) => type === 'IDAT').map((chunk) => chunk.data));
   const plain = unfiltered(inflateSync(data), rowBytes, channels);
   const packed = deflateSync(plain, { level: 9, memLevel: 9 });
-  return Buffer.concat([
-    signature,
-    chunk('IHDR', header),
-    chunk('IDAT', packed),
-    chunk('IEND', Buffer.alloc(0)),
-  ]);
+  return file(header, packed);
 }
+
+// A square of one colour, so many pixels wide.
+export function plainPng(side: number, colour: readonly [number, number, number]): Buffer {
+  const header = Buffer.from([0, 0, 0, 0, 0, 0, 0, 0, 8, 2, 0, 0, 0]); // 8 bits, RGB
+  header.writeUInt32BE(side, 0);
+  header.writeUInt32BE(side, 4);
+  const row = Buffer.concat([Buffer.from([0]), Buffer.alloc(3 * side, Buffer.from(colour))]);
+  return file(header, deflateSync(Buffer.concat(Array.from({ length: side }, () => row))));
+}
+
+const file = (header: Buffer, packed: Buffer): Buffer =>
+  Buffer.concat([signature, chunk('IHDR', header), chunk('IDAT', packed), chunk('IEND', Buffer.alloc(0))]);
 
 function chunksOf(png: Buffer): { type: string; data: Buffer }[] {
   const chunks: { type: string; data: Buffer }[] = [];

@@ -13,6 +13,7 @@ import { fetchCase, listCases } from './source/case_list';
 import { embeddedLog } from './source/embedded_log';
 import { browserAddress, followFragment } from './source/follow_fragment';
 import { parseFragment } from './source/fragment';
+import { fetchTile } from './source/tile';
 import { createTimeline } from './timeline/timeline';
 
 function memory(): Storage | null {
@@ -33,7 +34,10 @@ async function begin(root: HTMLElement): Promise<void> {
       ? {}
       : { listCases: () => listCases(bridge), fetchCase: (id: string) => fetchCase(bridge, id) };
   const shell = mountShell(root, viewer, settings, outside);
-  const map = createMap(shell.mapHost, viewer, settings);
+  const map = createMap(shell.mapHost, viewer, settings, {
+    load: (z, x, y) => fetchTile(bridge, z, x, y),
+    complain: (line) => shell.notify(line, true),
+  });
   const axis = createTimeAxis();
   const timeline = createTimeline(shell.timelineHost, viewer, axis);
   const curves = createCurves(shell.curvesHost, viewer, axis, () => {

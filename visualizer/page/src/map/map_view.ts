@@ -13,6 +13,7 @@ import type { Measure, Scene } from './scene';
 import { CanvasStamps } from './stamps';
 import { drawStaticLayers } from './static_layers';
 import { SvgSurface } from './svg_surface';
+import { TileLayer, type TileSource } from './tile_layer';
 import { currentPalette, onThemeChange } from './theme_watch';
 import { fitted, panned, type Size, type View, worldX, worldY, zoomedAt } from './view';
 import { worldBounds } from './world_bounds';
@@ -24,8 +25,13 @@ export interface MapView extends MapControls {
 
 const ZOOM_STEP = 1.25;
 
-export function createMap(host: HTMLElement, viewer: Viewer, settings: SettingsStore): MapView {
-  return new CanvasMap(host, viewer, settings);
+export function createMap(
+  host: HTMLElement,
+  viewer: Viewer,
+  settings: SettingsStore,
+  tiles: TileSource,
+): MapView {
+  return new CanvasMap(host, viewer, settings, tiles);
 }
 
 class CanvasMap implements MapView {
@@ -49,13 +55,16 @@ class CanvasMap implements MapView {
   private readonly stillSurface = context(this.still);
   private readonly movingSurface = context(this.moving);
   private readonly stamps = new CanvasStamps(this.movingSurface);
+  private readonly tiles: TileLayer;
 
   constructor(
     host: HTMLElement,
     private readonly viewer: Viewer,
     private readonly settings: SettingsStore,
+    source: TileSource,
   ) {
     host.append(this.still, this.moving, this.readout);
+    this.tiles = new TileLayer(host, this.stillSurface, viewer, settings, source, () => this.redraw());
     listenGestures(this.moving, this.gestures());
     new ResizeObserver(() => this.resize({ width: host.clientWidth, height: host.clientHeight })).observe(
       host,
@@ -108,6 +117,8 @@ class CanvasMap implements MapView {
     const surface = context(canvas);
     surface.drawImage(this.still, 0, 0);
     surface.drawImage(this.moving, 0, 0);
+    surface.setTransform(this.stillSurface.getTransform());
+    this.tiles.sign(surface, this.palette, this.view.size);
     return new Promise((resolve, reject) => {
       canvas.toBlob((blob) =>
         blob === null ? reject(new Error('no picture: the map is empty')) : resolve(blob),
@@ -117,7 +128,7 @@ class CanvasMap implements MapView {
 
   svg(): string {
     const surface = new SvgSurface();
-    const scene = { ...this.scene(), stamps: null };
+    const scene = { ...this.scene(), stamps: null, ground: null };
     drawStaticLayers(surface, scene);
     drawMovingLayers(surface, scene);
     const { width, height } = this.view.size;
@@ -211,6 +222,7 @@ class CanvasMap implements MapView {
 
   private changed(changed: ReadonlySet<Topic>): void {
     if (changed.has('world') || (changed.has('case') && !this.touched)) this.staticStale = true;
+    if (changed.has('source') && this.tiles.update()) this.staticStale = true;
     if (!this.touched && (changed.has('world') || changed.has('case') || this.counter.drawn === 0)) {
       this.fitAll();
     }
@@ -274,6 +286,7 @@ class CanvasMap implements MapView {
       pinned: state.pinned,
       measure: this.measure,
       stamps: this.stamps,
+      ground: this.tiles,
     };
   }
 }

@@ -25,6 +25,7 @@ export interface Palette {
   readonly bad: string;
   readonly onBad: string;
   readonly warn: string;
+  readonly tileOpacity: string; // of map tiles, 0 to 1
   readonly font: string;
   readonly mono: string;
 }
@@ -54,6 +55,7 @@ const PROPERTIES: Readonly<Record<keyof Palette, string>> = {
   bad: '--bad',
   onBad: '--on-bad',
   warn: '--warn',
+  tileOpacity: '--map-tile-opacity',
   font: '--font',
   mono: '--mono',
 };

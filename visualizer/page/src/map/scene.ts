@@ -8,6 +8,7 @@ import type { Collision } from '../model/viewer';
 import type { LayerName, Trail } from '../shell/settings';
 import type { Palette } from './palette';
 import type { Stamps } from './stamps';
+import type { Ground } from './tile_layer';
 import type { View } from './view';
 
 export interface Measure {
@@ -35,4 +36,5 @@ export interface Scene {
   readonly pinned: readonly number[];
   readonly measure: Measure | null;
   readonly stamps: Stamps | null; // copies of copters, where they can be had
+  readonly ground: Ground | null; // map tiles, likewise
 }

@@ -1,4 +1,4 @@
-// What does not move: grid, polygons, terrain, anchors, scale bar. Redrawn only when the view, the
+// What does not move: map tiles, grid, polygons, terrain, anchors, scale bar. Redrawn only when the view, the
 // world or the theme changes.
 
 import type { Poly } from '../../../codec/messages';
@@ -15,6 +15,7 @@ const SCALE_BAR_PX = 120; // longest
 
 export function drawStaticLayers(surface: Surface, scene: Scene): void {
   drawBackground(surface, scene);
+  scene.ground?.draw(scene.view, scene.palette);
   if (scene.layers.grid) drawGrid(surface, scene.view, scene.palette);
   if (scene.world !== null && scene.layers.terrain) {
     for (const poly of scene.world.polys) drawPoly(surface, scene.view, poly, scene.palette);

@@ -18,6 +18,7 @@ const shown = {
   anchors: false,
   ranges: false,
   labels: false,
+  tiles: false,
 };
 
 // Each colour is its property's name, so that a test can tell what was drawn with which.
@@ -45,6 +46,7 @@ export function aScene(objects: readonly VizObject[] = [anObject(1)], change: Pa
     pinned: [],
     measure: null,
     stamps: null,
+    ground: null,
     ...change,
   };
 }

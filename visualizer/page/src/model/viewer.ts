@@ -16,6 +16,7 @@ import type {
   VizEvent,
   World,
 } from '../../../codec/messages';
+import type { TileSet } from '../../../codec/tile_set';
 import type { PackedFrame } from './packed_frame';
 import type { PackedRisk } from './packed_risk';
 import type { TimeBuffer } from './time_buffer';
@@ -31,6 +32,7 @@ export interface Connection {
   connected: boolean;
   retryInS: number; // until the next try; 0 when connected
   group: string; // of LCM, as the bridge calls it
+  tiles: TileSet | null; // of the map, which the bridge has
   packets: number; // seen so far
   lost: number;
   dropped: number;
@@ -44,6 +46,7 @@ export const NOT_CONNECTED: Connection = {
   connected: false,
   retryInS: 0,
   group: '',
+  tiles: null,
   packets: 0,
   lost: 0,
   dropped: 0,

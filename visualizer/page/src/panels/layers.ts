@@ -1,10 +1,11 @@
 // What the map shows, how long trails are, and the units of all numbers.
 
-import { el, labelled, setOptions } from '../shell/dom';
+import { el, labelled, setHidden, setOptions } from '../shell/dom';
 import { type LayerName, layerNames, trailLengths } from '../shell/settings';
 import type { Context, Panel } from './panel';
 
-export function layersPanel({ settings }: Context): Panel {
+// The layers with keys are always there, that of map tiles when the bridge has any.
+export function layersPanel({ viewer, settings }: Context): Panel {
   const boxes = new Map(
     layerNames.map((name, i) => [name, layerBox(name, i, () => settings.toggleLayer(name))]),
   );
@@ -36,16 +37,19 @@ export function layersPanel({ settings }: Context): Panel {
   );
   const update = (): void => {
     for (const [name, { box }] of boxes) box.checked = settings.value.layers[name];
+    const tiles = boxes.get('tiles');
+    if (tiles !== undefined) setHidden(tiles.label, viewer.state.connection.tiles === null);
     trail.value = String(settings.value.trail);
     length.value = settings.value.length;
     angle.value = settings.value.angle;
   };
-  return { element, topics: [], update };
+  return { element, topics: ['source'], update };
 }
 
 function layerBox(name: LayerName, index: number, onChange: () => void) {
-  const box = el('input', { type: 'checkbox', 'aria-keyshortcuts': String(index + 1) });
+  const key = index < 9 ? String(index + 1) : undefined;
+  const box = el('input', { type: 'checkbox', 'aria-keyshortcuts': key });
   box.addEventListener('change', onChange);
   const swatch = el('span', { class: `swatch ${name}`, 'aria-hidden': 'true' });
-  return { box, label: el('label', { class: 'check', title: `key ${index + 1}` }, box, swatch, name) };
+  return { box, label: el('label', { class: 'check', title: key && `key ${key}` }, box, swatch, name) };
 }

@@ -35,7 +35,7 @@ export function actionOf(press: KeyPress): Action | null {
   if (press.focus === 'button' && (key === ' ' || key === 'Enter')) return null;
   if (press.focus === 'arrows' && (key.startsWith('Arrow') || key === 'Home' || key === 'End' || key === ' '))
     return null;
-  if (/^[1-9]$/.test(key) && Number(key) <= layerNames.length) return { do: 'layer', index: Number(key) - 1 };
+  if (/^[1-9]$/.test(key)) return { do: 'layer', index: Number(key) - 1 };
   if (key === 'n') return { do: 'object', by: press.shift ? -1 : 1 };
   if (key === 'ArrowLeft') return { do: 'seconds', by: press.shift ? -1 : -0.1 };
   if (key === 'ArrowRight') return { do: 'seconds', by: press.shift ? 1 : 0.1 };
@@ -83,7 +83,7 @@ export const keyList: readonly (readonly [keys: string, what: string])[] = [
   ['F', 'fit everything into the map'],
   ['-  =', 'zoom out, in'],
   ['M', 'measure; also Shift and drag'],
-  ['1 … 9', `layers: ${layerNames.join(', ')}`],
+  ['1 … 9', `layers: ${layerNames.slice(0, 9).join(', ')}`],
   ['D', 'dark or light'],
   ['P', 'save the map as PNG'],
   ['R', 'save a report: one HTML file with the page and what it holds'],

@@ -1,5 +1,6 @@
 // What the user has chosen, kept in localStorage: theme, units, layers, trails, speed. No DOM.
 
+// The first nine have the keys 1 to 9.
 export const layerNames = [
   'grid',
   'terrain',
@@ -10,6 +11,7 @@ export const layerNames = [
   'anchors',
   'ranges',
   'labels',
+  'tiles',
 ] as const;
 export type LayerName = (typeof layerNames)[number];
 
@@ -41,6 +43,7 @@ export const defaultSettings: Settings = {
     anchors: true,
     ranges: false,
     labels: true,
+    tiles: true, // where the bridge has any
   },
   trail: 2,
   speed: 1,

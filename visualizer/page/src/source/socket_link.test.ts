@@ -86,7 +86,13 @@ describe('a link', () => {
     receive(hello(null));
     receive(binary(aFrame(7)));
     receive('{"stats":{"udp":5,"lost":1,"dropped":2,"bytesPerSec":3}}');
-    expect(changes[0]).toEqual({ connected: true, retryInS: 0, group: '239.255.76.67:7667', error: '' });
+    expect(changes[0]).toEqual({
+      connected: true,
+      retryInS: 0,
+      group: '239.255.76.67:7667',
+      tiles: null,
+      error: '',
+    });
     expect(granted).toEqual([false]);
     expect(messages.map((message) => message.channel)).toEqual(['VIZ_FRAME']);
     expect(changes[1]).toEqual({ packets: 5, lost: 1, dropped: 2, bytesPerSec: 3 });

@@ -102,7 +102,8 @@ class SocketLink implements Link {
     this.attempt = 0;
     this.token = hello.token;
     this.client = hello.client;
-    this.listener.connection({ connected: true, retryInS: 0, group: hello.group, error: '' });
+    const { group, tiles } = hello;
+    this.listener.connection({ connected: true, retryInS: 0, group, tiles, error: '' });
     this.listener.granted(hello.control && hello.token !== null);
   }
 
