@@ -46,12 +46,14 @@ function tileFolder(): string {
   return folder;
 }
 
+let folder: string;
 let bridge: BridgeProcess;
 let opened: Opened;
 const box = () => opened.page.getByRole('checkbox', { name: 'tiles', exact: true });
 
 beforeEach(async () => {
-  bridge = await startBridge({ tiles: tileFolder() });
+  folder = tileFolder();
+  bridge = await startBridge({ tiles: folder });
   const player = await joinPlayer(bridge);
   opened = await openPage(bridge.url, { colorScheme: 'light' });
   await opened.until((s) => s.connection.connected);
@@ -108,6 +110,13 @@ const rgb = (hex: string): Colour => {
 const shows = async (quarters: Partial<Record<Quarter, Colour>>): Promise<void> =>
   expect.poll(around, { timeout: 5000 }).toEqual(await expected(quarters));
 
+// As far as it goes; there the tiles of the shallow zoom are shown.
+async function zoomOut(): Promise<void> {
+  await opened.page.locator('canvas.map-canvas').last().focus();
+  for (let i = 0; i < 40; i += 1) await opened.page.keyboard.press('-');
+}
+const far = { NW: farColour, NE: farColour, SW: farColour, SE: farColour };
+
 const asked = (): string[] => opened.requests.filter((url) => url.includes('/tiles/'));
 
 describe('map tiles', () => {
@@ -148,9 +157,30 @@ describe('map tiles', () => {
 
   test('are those of another zoom when the map is zoomed', async () => {
     await shows(colours);
-    await opened.page.locator('canvas.map-canvas').last().focus();
-    for (let i = 0; i < 40; i += 1) await opened.page.keyboard.press('-');
-    await shows({ NW: farColour, NE: farColour, SW: farColour, SE: farColour });
+    await zoomOut();
+    await shows(far);
+    expectNoErrors(opened);
+  });
+
+  test('are not asked for while the bridge is away, and come when it does', async () => {
+    await shows(colours);
+    await bridge.kill();
+    await opened.until((s) => s.badge === 'DISCONNECTED');
+    await zoomOut();
+    await shows({});
+    expect(asked().length).toBe(4);
+    await bridge.restart();
+    await shows(far);
+  });
+
+  test('that are no pictures are blank, and one line names the first', async () => {
+    await shows(colours);
+    writeFileSync(join(folder, `${shallow.zoom}/${shallow.x}/${shallow.y}.png`), 'no picture');
+    await zoomOut();
+    const { SE: _, ...rest } = far;
+    await shows(rest);
+    const name = `${shallow.zoom}/${shallow.x}/${shallow.y}`;
+    await opened.page.getByText(`map tile ${name}: not a picture that this browser knows`).waitFor();
     expectNoErrors(opened);
   });
 

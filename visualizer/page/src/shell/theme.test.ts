@@ -5,10 +5,13 @@ import { themeOf } from './theme';
 
 const css = readFileSync(new URL('./theme.css', import.meta.url), 'utf8');
 
+function blockOf(theme: 'light' | 'dark'): string {
+  return new RegExp(`:root\\[data-theme="${theme}"\\]\\s*\\{([^}]*)\\}`).exec(css)?.[1] ?? '';
+}
+
 function colours(theme: 'light' | 'dark'): Map<string, string> {
-  const block = new RegExp(`:root\\[data-theme="${theme}"\\]\\s*\\{([^}]*)\\}`).exec(css)?.[1] ?? '';
   return new Map(
-    [...block.matchAll(/--([a-z-]+):\s*(#[0-9a-f]{6});/g)].map(([, name, value]) => [
+    [...blockOf(theme).matchAll(/--([a-z-]+):\s*(#[0-9a-f]{6});/g)].map(([, name, value]) => [
       name ?? '',
       value ?? '',
     ]),
@@ -65,6 +68,23 @@ describe.each(['light', 'dark'] as const)('in the %s theme', (theme) => {
   test.each(lines)('%s on %s has a contrast of at least 3', (line, background) => {
     expect(contrast(of(line), of(background))).toBeGreaterThanOrEqual(3);
   });
+});
+
+// The worst that can be there: black tiles below dark text, white ones below bright text.
+test.each([
+  ['light', 0],
+  ['dark', 255],
+] as const)('in the %s theme text of the map can be read on map tiles of any colour', (theme, tile) => {
+  const known = colours(theme);
+  const opacity = Number(/--map-tile-opacity: ([\d.]+);/.exec(blockOf(theme))?.[1]);
+  const ground = known.get('map-bg') ?? '';
+  const mixed = [1, 3, 5].map((at) => {
+    const under = Number.parseInt(ground.slice(at, at + 2), 16);
+    return Math.round(under + (tile - under) * opacity)
+      .toString(16)
+      .padStart(2, '0');
+  });
+  expect(contrast(known.get('map-text') ?? '', `#${mixed.join('')}`)).toBeGreaterThanOrEqual(4.5);
 });
 
 // From the definition: black on white is 21, and #777777 on white is known to just miss 4.5.
