@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { packFrame } from '../model/packed_frame';
 import { packRisk } from '../model/packed_risk';
 import { anObject } from '../model/testing';
 import { drawMovingLayers } from './moving_layers';
@@ -67,6 +68,18 @@ describe('vehicles', () => {
 });
 
 describe('layers', () => {
+  it('each object has a trail, whatever its number', () => {
+    const ids = [1, 2, 7, 9];
+    const at = (x: number) => ids.map((id) => anObject(id, { pos: [x, id / 10, 0] }));
+    const scene = aScene(at(1), { layers: withLayers('trails') });
+    scene.frames.add(packFrame({ tUs: 0, run: 1, seq: 0, objects: at(0) }, null));
+    const trails = [...moving(scene).matchAll(/<path d="([^"]*)"[^>]*stroke-width="1.25"/g)].map(
+      (path) => path[1],
+    );
+    expect(count(trails.join(''), 'M')).toBe(ids.length);
+    expect(count(trails.join(''), 'L')).toBe(ids.length);
+  });
+
   it('contours that overlap have another colour and a thicker outline', () => {
     const layers = withLayers('risk');
     const quiet = moving(aScene([anObject(1)], { layers, risk: risk(false) }));

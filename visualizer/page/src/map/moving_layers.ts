@@ -111,7 +111,7 @@ function drawTrails(surface: Surface, scene: Scene, frame: PackedFrame): void {
   surface.lineJoin = 'round';
   for (let color = 0; color < OBJECT_COLORS.length; color++) {
     surface.beginPath();
-    for (let row = color; row < frame.layout.ids.length; row++) {
+    for (let row = 0; row < frame.layout.ids.length; row++) {
       if (colorOf(frame, row) === color) addTrail(surface, scene.view, trailScratch, row);
     }
     surface.strokeStyle = OBJECT_COLORS[color] ?? scene.palette.text;
