@@ -1,12 +1,11 @@
 // The viewer: joins a run's data, playback, selection and the source into viewer.ts's face. The
 // world outside (clock, animation frames, log reader, sockets) is passed in.
 
-import { type Ack, type Frame, type Message, Mode, type Risk } from '../../../codec/messages';
+import { type Ack, type Frame, type Message, Mode } from '../../../codec/messages';
 import type { ControlRequest } from '../../../codec/protocol';
 import { badgeOf, controlReason } from './badge';
-import { commandAt } from './event_log';
-import { type PackedFrame, unpackFrame } from './packed_frame';
-import { type PackedRisk, unpackRisk } from './packed_risk';
+import type { PackedFrame } from './packed_frame';
+import type { PackedRisk } from './packed_risk';
 import { PendingControl, refusal, refusalLine } from './pending_control';
 import { PlayerWatch } from './player_watch';
 import { type PlayContext, Playback, type Wish } from './playback';
@@ -14,6 +13,7 @@ import { RunData } from './run_data';
 import { Selection } from './selection';
 import { type Shown, showAgain, shownOfReplay } from './show_again';
 import { type Connection, NOT_CONNECTED, type Topic, type Viewer, type ViewerState } from './viewer';
+import { stateOf } from './viewer_state';
 
 // One control message; the link adds the token.
 export type Asked = Omit<ControlRequest, 'token'>;
@@ -481,119 +481,4 @@ class ViewerModel implements Viewer {
       this.watch();
     });
   }
-}
-
-// The state as getters over the model; frame and contours are unpacked when asked for, once.
-function stateOf(model: ViewerModel): ViewerState {
-  let frameOf: PackedFrame | null = null;
-  let frame: Frame | null = null;
-  let riskOf: PackedRisk | null = null;
-  let risk: Risk | null = null;
-  return {
-    get badge() {
-      return model.badge;
-    },
-    get badgeAgeS() {
-      return model.frameAgeS;
-    },
-    get connection() {
-      return model.connection;
-    },
-    get status() {
-      return model.data.status;
-    },
-    get controlAllowed() {
-      return model.reason === '';
-    },
-    get controlReason() {
-      return model.reason;
-    },
-    get askReason() {
-      return model.askReason;
-    },
-    get run() {
-      return model.data.run;
-    },
-    get caseInfo() {
-      return model.data.caseInfo;
-    },
-    get world() {
-      return model.data.world;
-    },
-    get faults() {
-      return model.data.faults;
-    },
-    get events() {
-      return model.data.log.events;
-    },
-    get collisions() {
-      return model.data.log.collisions;
-    },
-    get tUs() {
-      return model.playback.tUs;
-    },
-    get frame() {
-      if (model.shown !== frameOf) frame = model.shown === null ? null : unpackFrame(model.shown);
-      frameOf = model.shown;
-      return frame;
-    },
-    get risk() {
-      const packed = model.risk;
-      if (packed !== riskOf) risk = packed === null ? null : unpackRisk(packed);
-      riskOf = packed;
-      return risk;
-    },
-    get ranges() {
-      return model.data.rangesAt(model.selection.observer, model.playback.tUs);
-    },
-    get fromUs() {
-      return model.data.frames.first?.tUs ?? 0;
-    },
-    get startUs() {
-      return model.startUs;
-    },
-    get toUs() {
-      return model.data.frames.last?.tUs ?? 0;
-    },
-    get durationUs() {
-      return model.durationUs;
-    },
-    get thinned() {
-      return model.data.frames.thinned;
-    },
-    get following() {
-      return model.playback.following;
-    },
-    get behindS() {
-      if (!model.producing || model.playback.following) return 0;
-      return Math.max(0, ((model.data.frames.last?.tUs ?? 0) - model.playback.tUs) / 1e6);
-    },
-    get playing() {
-      return model.playback.playing;
-    },
-    get speed() {
-      return model.playback.speed;
-    },
-    get loop() {
-      return model.playback.loop;
-    },
-    get stopAtCollision() {
-      return model.playback.stopAtCollision;
-    },
-    get currentCommand() {
-      return commandAt(model.data.caseInfo, model.playback.tUs);
-    },
-    get failingCommand() {
-      return model.data.failing;
-    },
-    get observer() {
-      return model.selection.observer;
-    },
-    get followed() {
-      return model.selection.followed;
-    },
-    get pinned() {
-      return model.selection.pinned;
-    },
-  };
 }
