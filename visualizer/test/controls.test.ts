@@ -38,7 +38,7 @@ async function live(): Promise<Live> {
     channel: 'VIZ_STATUS',
     value: status(0, { mode: 1, paused: true, controlAllowed: true }),
   });
-  await opened.until((s) => s.frame !== null && s.controlAllowed);
+  await opened.until((s) => s.frame !== null && s.controlAllowed && s.observer >= 0);
   return {
     bridge,
     player,
@@ -86,7 +86,8 @@ describe('steering', () => {
 
   test('by the buttons of the pad', async () => {
     const run = await live();
-    await run.page.getByRole('button', { name: 'turn left (Q)' }).hover();
+    const turn = run.page.getByRole('button', { name: 'turn left (Q)' });
+    await turn.and(run.page.locator(':enabled')).hover();
     await run.page.mouse.down();
     await run.asked('steer', ({ args }) => (args[2] ?? 0) > 0.1);
     await run.page.mouse.up();
@@ -127,6 +128,43 @@ describe('the forms', () => {
     await page.getByRole('button', { name: 'Inject', exact: true }).click();
     await page.getByText('constant: expected a number, inf, -inf or nan, got "much"').waitFor();
     expect(player.controls.filter(({ verb }) => verb === 'inject')).toEqual([]);
+  });
+
+  test('wait for a probe, and keep what was typed before one was known', async () => {
+    const bridge = await startBridge({ control: true });
+    const player = await joinPlayer(bridge);
+    const opened = await openPage(bridge.url);
+    await opened.until((s) => s.connection.connected);
+    const flying = status(0, { mode: 1, paused: true, controlAllowed: true });
+    await player.publish({ channel: 'VIZ_STATUS', value: flying });
+    const form = opened.page.getByRole('region', { name: 'Inject fault' });
+    const inject = form.getByRole('button', { name: 'Inject', exact: true });
+    await form.getByText('No probe is known yet.').waitFor();
+    expect(await inject.isDisabled()).toBe(true);
+    const [constant, length] = [form.getByLabel('constant'), form.getByLabel('For', { exact: true })];
+    await length.fill(''); // as it was: no end
+    await constant.fill('-'); // the beginning of a number
+    await player.publish(...messagesAt(0, 4, -1), { channel: 'VIZ_STATUS', value: flying });
+    await inject.and(opened.page.locator(':enabled')).waitFor();
+    expect(await form.getByLabel('Probe').inputValue()).toBe('PxId1');
+    expect([await constant.inputValue(), await length.inputValue()]).toEqual(['-', '']);
+    expect(await form.getByLabel('Counted in').inputValue()).toBe('s');
+    await opened.page.keyboard.type('1.5'); // still in that field
+    expect(await constant.inputValue()).toBe('-1.5');
+    await form.getByLabel('Probe').selectOption('PyId1');
+    expect([await constant.inputValue(), await length.inputValue()]).toEqual(['-1.5', '']);
+    await inject.click();
+    const sent = await player.heard.until(
+      () => player.controls.find(({ verb }) => verb === 'inject'),
+      'inject',
+    );
+    expect(JSON.parse(sent.text)).toEqual({
+      probe: 'PyId1',
+      model: 'offset',
+      params: { constant: -1.5 },
+      from_s: 0,
+    });
+    expectNoErrors(opened);
   });
 
   test('change parameters, add and remove objects, start scenarios, stop all', async () => {

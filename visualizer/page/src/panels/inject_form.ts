@@ -51,6 +51,7 @@ class InjectForm {
   private readonly values = new Map<string, string>();
   private fields: readonly Field[] = [];
   private shownFields = '';
+  private shownModel = '';
   private places: readonly Place[] = [];
   private observer = -1;
   private timed = false; // by the user; else the probe says how long
@@ -63,9 +64,14 @@ class InjectForm {
     this.object.addEventListener('change', () => this.showProbes());
     this.probe.addEventListener('change', () => this.showModels());
     this.model.addEventListener('change', () => this.showFields());
-    for (const control of [this.start, this.length, this.unit]) {
+    const timing: readonly HTMLElement[] = [this.start, this.length, this.unit];
+    for (const control of timing) {
       control.addEventListener('input', () => {
         this.timed = true;
+      });
+      // Whoever empties what is empty wants it so; that is no input.
+      control.addEventListener('keydown', ({ key }) => {
+        if (key === 'Delete' || key === 'Backspace') this.timed = true;
       });
     }
     this.element = this.build();
@@ -116,10 +122,13 @@ class InjectForm {
     setOptions(this.object, all, all.some((o) => o.value === chosen) ? chosen : undefined);
     this.showProbes();
     const { controlAllowed, controlReason } = state;
-    for (const control of [this.inject, this.clear]) control.disabled = !controlAllowed;
+    const nowhere = this.probe.value === '';
+    this.inject.disabled = !controlAllowed || nowhere;
+    this.clear.disabled = !controlAllowed;
     this.fork.disabled = !this.mayFork();
-    setText(this.reason, controlReason);
-    setHidden(this.reason, controlReason === '');
+    const why = controlReason === '' && nowhere ? 'No probe is known yet.' : controlReason;
+    setText(this.reason, why);
+    setHidden(this.reason, why === '');
   }
 
   // A fork makes a replay live, so it is not refused for being one; the player has the last word.
@@ -180,13 +189,36 @@ class InjectForm {
     this.shownFields = key;
     this.fields = model === null ? [] : fieldsOf(model, unit, applied);
     setText(this.meaning, model === null ? '' : `${model.meaning} (${model.standard})`);
-    for (const field of this.fields)
-      this.values.set(field.name, valueFor(field, this.values.get(field.name)));
-    this.parameters.replaceChildren(...this.fields.map((field) => this.input(field)));
+    const chosen = `${this.model.value} ${applied}`;
+    for (const field of this.fields) {
+      const typed = this.values.get(field.name);
+      this.values.set(
+        field.name,
+        chosen === this.shownModel ? (typed ?? field.initial) : valueFor(field, typed),
+      );
+    }
+    this.shownModel = chosen;
+    this.keepingFocus(() =>
+      this.parameters.replaceChildren(...this.fields.map((field) => this.input(field))),
+    );
+  }
+
+  // New inputs take the place of those that somebody may be typing into.
+  private keepingFocus(replace: () => void): void {
+    const focused = document.activeElement;
+    const isInput = focused instanceof HTMLInputElement || focused instanceof HTMLSelectElement;
+    const name = isInput && this.parameters.contains(focused) ? focused.name : '';
+    const caret = focused instanceof HTMLInputElement ? focused.selectionStart : null;
+    replace();
+    if (name === '') return;
+    const next = this.parameters.querySelector<HTMLElement>(`[name="${name}"]`);
+    next?.focus();
+    if (next instanceof HTMLInputElement) next.setSelectionRange(caret, caret);
   }
 
   private input(field: Field): HTMLElement {
     const control = field.kind === 'choice' ? el('select', {}) : el('input', { type: 'text', size: '8' });
+    control.name = field.name;
     if (control instanceof HTMLSelectElement) {
       setOptions(
         control,
