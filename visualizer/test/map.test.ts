@@ -1,7 +1,7 @@
 // The map: selecting, following, measuring, layers, themes.
 
 import { beforeEach, describe, expect, test } from 'vitest';
-import { expectNoErrors, type Opened, openLog } from './harness';
+import { drawn, expectNoErrors, type Opened, openLog } from './harness';
 import { sceneLog } from './scene';
 
 let opened: Opened;
@@ -10,8 +10,10 @@ const picture = (): Promise<Buffer> => opened.page.locator('.map-host').screensh
 
 // The picture once it no longer changes.
 async function settled(): Promise<Buffer> {
+  await drawn(opened.page);
   let before = await picture();
-  for (let i = 0; i < 20; i += 1) {
+  for (let i = 0; i < 100; i += 1) {
+    await drawn(opened.page);
     const now = await picture();
     if (now.equals(before)) return now;
     before = now;
@@ -28,7 +30,7 @@ async function centre(): Promise<{ x: number; y: number }> {
 beforeEach(async () => {
   opened = await openLog(sceneLog(6));
   for (let i = 0; i < 2; i += 1) await opened.page.keyboard.press('Shift+ArrowRight');
-  await opened.until((s) => s.tUs === 2_000_000);
+  await opened.until((s) => s.tUs === 2_000_000 && s.frame?.tUs === 2_000_000);
 });
 
 describe('the observer', () => {
@@ -64,6 +66,19 @@ describe('the observer', () => {
     await opened.until((s) => s.observer === 3);
     expect(await table.getByRole('row').count()).toBe(1 + 6);
   });
+});
+
+test('an object that is pinned keeps its curves and its mark when another is observed', async () => {
+  const legend = opened.page.locator('.curves-host');
+  await opened.page.getByRole('button', { name: 'Pin curves' }).click();
+  await opened.until((s) => s.pinned.join() === '1');
+  expect(await legend.getByText('Q1 position error').count()).toBe(1);
+  await opened.page.keyboard.press('n');
+  await opened.until((s) => s.observer === 2);
+  await legend.getByText('Q2 position error').waitFor();
+  await legend.getByText('Q1 position error').waitFor();
+  await opened.page.getByRole('button', { name: 'Unpin object 1' }).click();
+  await legend.getByText('Q1 position error').waitFor({ state: 'detached' });
 });
 
 describe('looking around', () => {

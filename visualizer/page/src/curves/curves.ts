@@ -120,7 +120,7 @@ class UplotCurves implements Curves {
 
   private rebuild(): void {
     const { observer, pinned } = this.viewer.state;
-    const objects = [observer, ...pinned].filter((id) => id >= 0);
+    const objects = [...new Set([observer, ...pinned])].filter((id) => id >= 0);
     this.tracks.keep(new Set(objects));
     this.curves = curvesOf(this.group, objects);
     this.plot?.destroy();

@@ -228,7 +228,7 @@ function colorOf(frame: PackedFrame, row: number): number {
   return ((id % count) + count) % count;
 }
 
-// A square round the observer, a dashed one round each pinned object; a ring when it is avoiding.
+// A square round the observer, a dashed one round each other pinned object; a ring when it is avoiding.
 function drawSelection(surface: Surface, scene: Scene, frame: PackedFrame): void {
   const { view, palette, observer, pinned } = scene;
   const half = glyphRadius(view.scale) * 1.75;
@@ -243,7 +243,7 @@ function drawSelection(surface: Surface, scene: Scene, frame: PackedFrame): void
   surface.beginPath();
   for (const id of pinned) {
     const pinnedRow = frame.layout.rowOf.get(id);
-    if (pinnedRow !== undefined) addSquare(surface, view, frame, pinnedRow, half);
+    if (pinnedRow !== undefined && id !== observer) addSquare(surface, view, frame, pinnedRow, half);
   }
   surface.setLineDash(GHOST_DASH);
   surface.lineWidth = 1.5;

@@ -1,5 +1,5 @@
 // Which objects the viewer looks at: the observer, whose risk contours are shown, and the pinned
-// ones, which have curves beside it.
+// ones, which have curves beside it and keep them when another is observed.
 
 export const MAX_PINNED = 6;
 
@@ -18,7 +18,6 @@ export class Selection {
   observe(id: number): boolean {
     if (id === this.observer) return false;
     this.observer = id;
-    this.pinned = this.pinned.filter((other) => other !== id);
     if (id < 0) this.followed = false;
     return true;
   }
@@ -31,10 +30,10 @@ export class Selection {
     return ids[(row + direction + ids.length) % ids.length] ?? -1;
   }
 
-  // The observer cannot be pinned, and not more than six can. Answers whether anything changed.
+  // Not more than six can be pinned. Answers whether anything changed.
   pin(id: number, on: boolean): boolean {
     const has = this.pinned.includes(id);
-    if (has === on || id < 0 || id === this.observer) return false;
+    if (has === on || id < 0) return false;
     if (on && this.pinned.length >= MAX_PINNED) return false;
     this.pinned = on ? [...this.pinned, id] : this.pinned.filter((other) => other !== id);
     return true;

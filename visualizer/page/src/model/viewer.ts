@@ -102,7 +102,7 @@ export interface ViewerState {
 
   observer: number; // id, -1: none
   followed: boolean; // the map follows the observer
-  pinned: readonly number[]; // ids with curves, up to 6, without the observer
+  pinned: readonly number[]; // ids with curves, whoever is observed; up to 6
 }
 
 // What changed since the listener was last called.

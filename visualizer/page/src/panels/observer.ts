@@ -1,12 +1,11 @@
 // The inspector of the observer: choosing it, its numbers, pinning its curves.
 
+import { MAX_PINNED } from '../model/selection';
 import { button, el, labelled, setHidden, setOptions } from '../shell/dom';
 import { facts } from './facts';
 import { objectName } from './format';
 import { factsOf, observerFacts } from './observer_facts';
 import type { Context, Panel } from './panel';
-
-const mostPinned = 6; // with the observer's own curves
 
 export function observerPanel(context: Context): Panel {
   const { viewer, settings } = context;
@@ -42,7 +41,7 @@ export function observerPanel(context: Context): Panel {
         all.set(name, text, bad === true ? 'bad' : '');
       }
     }
-    pin.disabled = object === undefined || (!isPinned() && viewer.state.pinned.length >= mostPinned);
+    pin.disabled = object === undefined || (!isPinned() && viewer.state.pinned.length >= MAX_PINNED);
     pin.setAttribute('aria-pressed', String(isPinned()));
     showPins();
   };
