@@ -31,6 +31,9 @@ afterEach(async () => {
   for (const end of endings.splice(0).reverse()) await end();
 });
 
+// Nothing here takes so long; a machine that others use as well is waited for, and it costs nothing when all is well.
+export const limitMs = 30_000;
+
 export const atEnd = (end: () => Promise<void> | void): void => void endings.push(end);
 
 export function temporaryFolder(): string {
@@ -60,7 +63,7 @@ interface Viz {
 export async function openPage(url: string, options: BrowserContextOptions = {}): Promise<Opened> {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
   atEnd(() => context.close());
-  context.setDefaultTimeout(10_000);
+  context.setDefaultTimeout(limitMs);
   const page = await context.newPage();
   const errors: string[] = [];
   const requests: string[] = [];
@@ -78,9 +81,9 @@ export async function openPage(url: string, options: BrowserContextOptions = {})
     errors,
     requests,
     state,
-    until: async (look, limitMs = 10_000) => {
-      const found = await page.evaluate(untilInPage(String(look), limitMs));
-      if (found !== '') throw new Error(`not within ${limitMs} ms: ${String(look)}; ${String(found)}`);
+    until: async (look, limit = limitMs) => {
+      const found = await page.evaluate(untilInPage(String(look), limit));
+      if (found !== '') throw new Error(`not within ${limit} ms: ${String(look)}; ${String(found)}`);
     },
     stats: () => page.evaluate(() => (window as unknown as { __viz: Viz }).__viz.stats()),
     renderer: () => rendererOf(page),
@@ -125,8 +128,14 @@ export async function openLog(log: Uint8Array, options: BrowserContextOptions = 
   await opened.page
     .locator('input[type=file]')
     .setInputFiles({ name: 'scene.lcm', mimeType: 'application/octet-stream', buffer: Buffer.from(log) });
-  await opened.until((state) => state.badge === 'FILE');
+  await opened.until((state) => state.badge === 'FILE' && state.frame !== null);
+  await drawn(opened.page);
   return opened;
+}
+
+// Once everything that was asked for before is on the screen.
+export async function drawn(page: Page): Promise<void> {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 }
 
 export interface BridgeProcess {

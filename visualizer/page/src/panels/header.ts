@@ -40,6 +40,10 @@ export function headerPanel(context: Context, actions: HeaderActions): Panel {
     }
     update();
   };
+  if (actions.listCases === undefined) {
+    cases.disabled = true;
+    cases.title = 'Other cases need a bridge: this page was opened as a file';
+  }
   cases.addEventListener('change', () => actions.chooseCase(cases.value));
   cases.addEventListener('pointerdown', () => void refresh());
   cases.addEventListener('focus', () => void refresh());

@@ -1,6 +1,6 @@
 // Changing a live run: gains and parameters, adding and removing objects, scenario files.
 
-import { button, el, labelled, newId, setText } from '../shell/dom';
+import { button, el, labelled, newId, setHidden, setText } from '../shell/dom';
 import { caseParams } from './case_params';
 import { objectName } from './format';
 import { freePlace } from './free_place';
@@ -8,16 +8,19 @@ import { act, type Context, type Panel } from './panel';
 
 export function runControlsPanel(context: Context): Panel {
   const parts = [parameters(context), objects(context), scenarios(context)];
+  const reason = el('p', { class: 'hint', role: 'note' });
   const element = el(
     'section',
     { class: 'section', 'aria-label': 'Change the run' },
     el('h2', {}, 'Change the run'),
     ...parts.map((part) => part.element),
+    reason,
   );
   const update = (): void => {
     const { controlAllowed, controlReason } = context.viewer.state;
     for (const part of parts) part.update(controlAllowed);
-    element.title = controlReason;
+    setText(reason, controlReason);
+    setHidden(reason, controlReason === '');
   };
   return { element, topics: ['source', 'status', 'case', 'selection'], everyMs: 200, update };
 }

@@ -1,8 +1,8 @@
 // How the case came to be: what shrinking left of it, and which of the two sequences is played.
 
-import { Mode } from '../../../codec/messages';
+import { type CaseInfo, Mode } from '../../../codec/messages';
 import type { ViewerState } from '../model/viewer';
-import { button, el, setText } from '../shell/dom';
+import { button, el, setHidden, setText } from '../shell/dom';
 import { caseParams } from './case_params';
 import { facts } from './facts';
 import { act, type Context, type Panel } from './panel';
@@ -19,12 +19,15 @@ export function shrinkingPanel(context: Context): Panel {
       update();
     });
   });
+  const row = el('p', { class: 'row' }, load);
+  const reason = el('p', { class: 'hint', role: 'note' });
   const element = el(
     'section',
     { class: 'section', 'aria-label': 'Shrinking' },
     el('h2', {}, 'Shrinking'),
     all.element,
-    el('p', { class: 'row' }, load),
+    row,
+    reason,
   );
   const update = (): void => {
     const { caseInfo } = viewer.state;
@@ -41,11 +44,20 @@ export function shrinkingPanel(context: Context): Panel {
     all.set('replays same', params.sameAgain);
     all.set('code', caseInfo.codeVersion);
     const why = original ? viewer.state.askReason : noOriginal(viewer.state);
-    setText(load, original ? 'Replay shrunk' : 'Replay original');
+    const label = original ? 'Replay shrunk' : 'Replay original';
+    const offered = original || hasOriginal(caseInfo);
+    setHidden(row, !offered);
+    setText(load, label);
     load.disabled = why !== '';
-    load.title = why;
+    setText(reason, `${label}: ${why}.`);
+    setHidden(reason, !offered || why === '');
   };
   return { element, topics: ['case', 'source', 'status'], everyMs: 250, update };
+}
+
+// Whether there is a longer sequence than the one that is shown.
+function hasOriginal({ ncmdOriginal, commands }: CaseInfo): boolean {
+  return ncmdOriginal !== 0 && ncmdOriginal !== commands.length;
 }
 
 // Why the original cannot be replayed, '' when it can.

@@ -45,7 +45,7 @@ export function steerPanel(context: Context): SteerPanel {
   const restart = button('Restart run', () => viewer.restart(), {
     title: 'From its beginning, as a new run',
   });
-  const reason = el('p', { class: 'hint' });
+  const reason = el('p', { class: 'hint', role: 'note' });
   const grid = el('div', { class: 'pad', role: 'group', 'aria-label': 'Steering' }, ...buttons.values());
   const element = el(
     'section',
