@@ -1,7 +1,5 @@
-// PNG files without a library.
-//
-// smallerPng makes a browser's PNG smaller without changing a pixel: drawings with flat areas compress best without the
-// filters that suit photographs. For 8-bit RGB and RGBA without interlacing, which is what browsers write.
+// Pictures as PNG: 8-bit RGB and RGBA without interlacing, which is what browsers write. They are written without the
+// filters that suit photographs: drawings with flat areas get smaller so.
 
 import { crc32, deflateSync, inflateSync } from 'node:zlib';
 
@@ -12,30 +10,63 @@ const bytesOfPixel = new Map([
 ]);
 const signature = Buffer.from([137, 80, 78, 71, 13, 10, 26, 10]);
 
+// Rows from the top, pixels from the left, channels red, green, blue and, where there are four, alpha.
+export interface Picture {
+  readonly width: number;
+  readonly height: number;
+  readonly channels: number;
+  readonly bytes: Uint8Array;
+}
+
 export function smallerPng(png: Buffer): Buffer {
+  return writePng(readPng(png));
+}
+
+// A square of one colour, so many pixels wide.
+export function plainPng(side: number, colour: readonly [number, number, number]): Buffer {
+  return writePng({
+    width: side,
+    height: side,
+    channels: 3,
+    bytes: Buffer.alloc(3 * side * side, Buffer.from(colour)),
+  });
+}
+
+export function readPng(png: Buffer): Picture {
   const chunks = chunksOf(png);
   const header = chunks.find(({ type }) => type === 'IHDR')?.data;
   const channels = bytesOfPixel.get(header?.[9] ?? -1);
   if (header === undefined || channels === undefined || header[8] !== 8 || header[12] !== 0)
     throw new Error('expected a PNG of 8-bit RGB or RGBA without interlacing');
-  const rowBytes = header.readUInt32BE(0) * channels;
+  const [width, height] = [header.readUInt32BE(0), header.readUInt32BE(4)];
   const data = Buffer.concat(chunks.filter(({ type }) => type === 'IDAT').map((chunk) => chunk.data));
-  const plain = unfiltered(inflateSync(data), rowBytes, channels);
-  const packed = deflateSync(plain, { level: 9, memLevel: 9 });
-  return file(header, packed);
+  const rows = unfiltered(inflateSync(data), width * channels, channels);
+  const bytes = new Uint8Array(width * height * channels);
+  for (let y = 0; y < height; y++) bytes.set(rowOf(rows, y, width * channels), y * width * channels);
+  return { width, height, channels, bytes };
 }
 
-// A square of one colour, so many pixels wide.
-export function plainPng(side: number, colour: readonly [number, number, number]): Buffer {
-  const header = Buffer.from([0, 0, 0, 0, 0, 0, 0, 0, 8, 2, 0, 0, 0]); // 8 bits, RGB
-  header.writeUInt32BE(side, 0);
-  header.writeUInt32BE(side, 4);
-  const row = Buffer.concat([Buffer.from([0]), Buffer.alloc(3 * side, Buffer.from(colour))]);
-  return file(header, deflateSync(Buffer.concat(Array.from({ length: side }, () => row))));
+export function writePng({ width, height, channels, bytes }: Picture): Buffer {
+  const rowBytes = width * channels;
+  const rows = Buffer.alloc((rowBytes + 1) * height);
+  for (let y = 0; y < height; y++)
+    rowOf(rows, y, rowBytes).set(bytes.subarray(y * rowBytes, (y + 1) * rowBytes));
+  const header = Buffer.alloc(13);
+  header.writeUInt32BE(width, 0);
+  header.writeUInt32BE(height, 4);
+  header.set([8, channels === 4 ? 6 : 2], 8);
+  return Buffer.concat([
+    signature,
+    chunk('IHDR', header),
+    chunk('IDAT', deflateSync(rows, { level: 9, memLevel: 9 })),
+    chunk('IEND', Buffer.alloc(0)),
+  ]);
 }
 
-const file = (header: Buffer, packed: Buffer): Buffer =>
-  Buffer.concat([signature, chunk('IHDR', header), chunk('IDAT', packed), chunk('IEND', Buffer.alloc(0))]);
+// A row without the byte before it, which names its filter.
+function rowOf(rows: Buffer, y: number, rowBytes: number): Buffer {
+  return rows.subarray(y * (rowBytes + 1) + 1, (y + 1) * (rowBytes + 1));
+}
 
 function chunksOf(png: Buffer): { type: string; data: Buffer }[] {
   const chunks: { type: string; data: Buffer }[] = [];
