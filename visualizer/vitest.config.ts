@@ -11,6 +11,6 @@ export default defineConfig({
       'page/**/*.test.ts',
       'build/**/*.test.ts',
     ],
-    testTimeout: 10_000,
+    testTimeout: 60_000,
   },
 });

@@ -31,7 +31,7 @@ export class Changes {
   }
 
   // Resolves with the first answer that is neither undefined nor false.
-  until<T>(look: () => T | undefined | false, what: string, limitMs = 5000): Promise<T> {
+  until<T>(look: () => T | undefined | false, what: string, limitMs = 30_000): Promise<T> {
     return new Promise((resolve, reject) => {
       const late = setTimeout(() => reject(new Error(`${what}: not within ${limitMs} ms`)), limitMs);
       const ask = (): void => {

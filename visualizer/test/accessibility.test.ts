@@ -59,7 +59,7 @@ describe('without a mouse', () => {
     await page.keyboard.press('Shift+ArrowRight');
     await until((s) => s.tUs === 1_000_000);
     await page.keyboard.press('ArrowLeft');
-    await until((s) => Math.abs(s.tUs - 900_000) < 1);
+    await until((s) => Math.abs(s.tUs - 900_000) < 1 && (s.frame?.tUs ?? Infinity) <= s.tUs);
     const before = await state((s) => s.frame?.seq ?? 0);
     await page.keyboard.press('.');
     await until(`(s) => s.frame?.seq === ${before + 1}`);
@@ -71,8 +71,7 @@ describe('without a mouse', () => {
     expect(await state((s) => s.tUs)).toBe(collisionUs);
     const observer = await state((s) => s.observer);
     await page.keyboard.press('n');
-    await until((s) => s.observer !== -1);
-    expect(await state((s) => s.observer)).not.toBe(observer);
+    await until(`(s) => s.observer !== -1 && s.observer !== ${observer}`);
     await page.keyboard.press('c');
     await until((s) => s.followed);
     await page.keyboard.press("'");

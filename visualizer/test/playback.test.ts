@@ -1,7 +1,7 @@
 // Playing what the page holds: speed, single frames, seeking, events, loop, the stop at a collision.
 
 import { beforeEach, describe, expect, test } from 'vitest';
-import { expectNoErrors, type Opened, openLog } from './harness';
+import { expectNoErrors, limitMs, type Opened, openLog } from './harness';
 import { collisionUs, endUs, sceneLog, times } from './scene';
 
 let opened: Opened;
@@ -14,26 +14,38 @@ beforeEach(async () => {
   expect(await opened.state((s) => [s.tUs, s.playing])).toEqual([0, false]);
 });
 
-// Simulated seconds for one of wall time, looked at twice within the page.
-const measuredSpeed = (ms: number): string => `new Promise((resolve) => {
+// Simulated seconds for one of wall time, looked at within the page from fromUs on. null when the page got no animation
+// frame for so long that this does not count as playing.
+const measuredSpeed = (fromUs: number, ms: number): string => `new Promise((resolve) => {
   const look = () => ({ wall: performance.now(), sim: window.__viz.state().tUs / 1000 });
-  requestAnimationFrame(() => {
-    const from = look();
-    const ask = () => {
-      const to = look();
-      if (to.wall - from.wall < ${ms}) requestAnimationFrame(ask);
-      else resolve((to.sim - from.sim) / (to.wall - from.wall));
-    };
-    ask();
-  });
+  let from = null;
+  let before = look();
+  let gap = 0;
+  const ask = () => {
+    const now = look();
+    gap = Math.max(gap, now.wall - before.wall);
+    before = now;
+    if (from === null && now.sim > ${fromUs / 1000}) from = now;
+    if (from === null || now.wall - from.wall < ${ms}) requestAnimationFrame(ask);
+    else resolve(gap > 200 ? null : (now.sim - from.sim) / (now.wall - from.wall));
+  };
+  ask();
 })`;
 
 describe('playing', () => {
   test.each([0.25, 0.5, 1, 2])('at speed %f goes that fast, within 5 % of wall time', async (speed) => {
     await opened.page.getByLabel('Speed').selectOption(String(speed));
-    await play();
-    await opened.until((s) => s.tUs > 50_000);
-    const factor = await opened.page.evaluate<number>(measuredSpeed(1200));
+    let factor: number | null = null;
+    for (let tries = 0; tries < 10 && factor === null; tries += 1) {
+      await press('End'); // where it stops by itself
+      await opened.until((s) => !s.playing);
+      await press('Home');
+      await opened.until((s) => s.tUs === 0);
+      const measured = opened.page.evaluate<number | null>(measuredSpeed(50_000, 1200));
+      await play();
+      factor = await measured;
+    }
+    if (factor === null) throw new Error('the page gets no animation frames in time');
     expect(factor / speed).toBeGreaterThan(0.95);
     expect(factor / speed).toBeLessThan(1.05);
     expectNoErrors(opened);
@@ -114,7 +126,8 @@ describe('moving in time', () => {
     expect(tUs).toBeGreaterThan(1_500_000);
     expect(tUs).toBeLessThan(endUs);
     await opened.until((s) => s.frame !== null && Math.abs(s.frame.tUs - s.tUs) < 20_000);
-    expect(Number(await slider.getAttribute('aria-valuenow'))).toBeCloseTo(tUs / 1e6, 1);
+    const told = async () => Number(await slider.getAttribute('aria-valuenow'));
+    await expect.poll(told, { timeout: limitMs }).toBeCloseTo(tUs / 1e6, 1);
     expect(await slider.getAttribute('aria-valuetext')).toMatch(/\d/);
   });
 

@@ -17,7 +17,7 @@ async function chain(
   const bridge = await startBridge({ control: true });
   const player = startProgram(bridge, ...options);
   const opened = await openPage(bridge.url);
-  await opened.until((s) => s.frame !== null && s.status !== null, 20_000);
+  await opened.until((s) => s.frame !== null && s.status !== null);
   return { opened, bridge, player };
 }
 
@@ -32,11 +32,11 @@ describe('a replay', () => {
     await opened.until((s) => s.connection.connected && s.badge !== 'DISCONNECTED');
     // a page that is opened now gets what happened before
     const fresh = await openPage(bridge.url);
-    await fresh.until((s) => s.events.some(({ seq }) => seq === 0), 20_000);
+    await fresh.until((s) => s.events.some(({ seq }) => seq === 0));
     await player.kill();
     startProgram(bridge);
     const later = `(s) => s.run !== ${run} && s.frame !== null && s.badge === 'REPLAY'`;
-    await opened.until(later, 20_000);
+    await opened.until(later);
     expect(opened.errors.filter((line) => !/ERR_CONNECTION_REFUSED|WebSocket connection/.test(line))).toEqual(
       [],
     );
@@ -47,7 +47,7 @@ describe('a replay', () => {
     await opened.until((s) => s.badge === 'REPLAY' && s.tUs > 200_000);
     expect(await opened.state((s) => s.controlReason)).toMatch(/replay/);
     await opened.page.getByRole('button', { name: 'Fork from here' }).click();
-    await opened.until((s) => s.badge === 'LIVE' && s.controlAllowed, 20_000);
+    await opened.until((s) => s.badge === 'LIVE' && s.controlAllowed);
     expectNoErrors(opened);
   });
 
@@ -58,7 +58,7 @@ describe('a replay', () => {
     await opened.page.keyboard.press('Shift+ArrowLeft');
     await opened.until((s) => !s.following);
     await opened.page.getByRole('button', { name: 'Fork from here' }).click();
-    await opened.until((s) => s.badge === 'LIVE' && s.controlAllowed, 20_000);
+    await opened.until((s) => s.badge === 'LIVE' && s.controlAllowed);
   });
 });
 

@@ -42,7 +42,7 @@ describe('a bridge', () => {
     await first.until((s) => s.toUs === 4_000_000);
     expect(await first.state((s) => [s.badge, s.events.length, s.connection.lost])).toEqual(['REPLAY', 6, 0]);
     const late = await openPage(bridge.url);
-    await late.until((s) => s.events.length === 6);
+    await late.until((s) => s.events.length === 6 && s.caseInfo && s.world && s.faults);
     expect(
       await late.state((s) => [s.caseInfo?.caseId, s.world?.anchors.length, s.faults?.items.length]),
     ).toEqual([caseId, 2, 1]);
@@ -98,6 +98,8 @@ describe('a bridge', () => {
       bridge.port,
     );
     expect(outcome).toBe('refused');
+    const refused = () => bridge.lines.some((line) => line.includes('refused'));
+    await bridge.said.until(refused, 'the line of the refusal');
     expect(bridge.lines.filter((line) => line.includes('refused'))).toEqual([
       expect.stringMatching(
         /^bridge: refused: WebSocket \/ws: Origin "http:\/\/127\.0\.0\.1:\d+" \(403 Forbidden\)$/,

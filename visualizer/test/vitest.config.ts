@@ -9,7 +9,7 @@ export default defineConfig({
     globalSetup: fileURLToPath(new URL('browser.ts', import.meta.url)),
     fileParallelism: false,
     maxWorkers: 1,
-    testTimeout: 30_000,
-    hookTimeout: 30_000,
+    testTimeout: 120_000, // several waits of harness.ts, each with its own limit and text
+    hookTimeout: 60_000,
   },
 });
