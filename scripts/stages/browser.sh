@@ -10,7 +10,7 @@ scripts/build_visualizer.sh test >"$log" 2>&1 || {
   finish 1
 }
 rm -f "$reports/browser.xml"
-(cd visualizer && timeout --kill-after=10 600 ../scripts/loopback.sh npx vitest run --config test/vitest.config.ts \
+(cd visualizer && timeout --kill-after=10 1800 ../scripts/loopback.sh npx vitest run --config test/vitest.config.ts \
   --reporter=default --reporter=junit --outputFile.junit="$reports/browser.xml") >>"$log" 2>&1
 status=$?
 [ $status -eq 0 ] || tail -n 60 "$log" | plain
