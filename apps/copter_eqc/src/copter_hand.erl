@@ -13,6 +13,9 @@
 -define(TENTHS_PER_RADIAN, 572.9577951308232).
 -define(NS_PER_S, 1.0e9).
 -define(MOST_COPTERS, 1000).
+%% A channel's packets are all taken in one step: more copies, or longer ones, would stop the clock.
+-define(MOST_COPIES, 10000).
+-define(MOST_ADDED_BYTES, 65536).
 
 %% @doc The commands, and who is steered then; Copters are all that there are. The error is a line.
 -spec calls(replay_source:action(), [replay_source:id()], hands()) ->
@@ -115,15 +118,24 @@ injected(#{<<"probe">> := Probe, <<"model">> := Model} = Json, Copters, Hands) w
             Error;
         {[], Where, Trigger} when is_map(Params) ->
             Sorted = lists:sort(maps:to_list(Params)),
-            case [Name || {Name, V} <- Sorted, not (is_number(V) orelse is_binary(V))] of
+            case [Why || {Name, V} <- Sorted, Why <- wrong(Model, Name, V)] of
                 [] -> {ok, [{fly_inject, [Where, Model, Sorted, Trigger, none]}], Hands};
-                [Bad | _] -> {error, line("inject: ~ts must be a number or a text", [Bad])}
+                [Why | _] -> {error, "inject: " ++ Why}
             end;
         _ ->
             {error, "inject: params must be an object"}
     end;
 injected(_, _, _) ->
     {error, "inject: \"probe\" and \"model\" are needed, both texts"}.
+
+%% What libfaultcheck does not refuse itself.
+wrong(_, Name, V) when not (is_number(V) orelse is_binary(V)) ->
+    [line("~ts must be a number or a text", [Name])];
+wrong(<<"repeat">>, Name, V) when V > ?MOST_COPIES -> too_many(Name, ?MOST_COPIES);
+wrong(<<"extend">>, Name, V) when V > ?MOST_ADDED_BYTES -> too_many(Name, ?MOST_ADDED_BYTES);
+wrong(_, _, _) -> [].
+
+too_many(Name, Most) -> [line("~ts: ~b are the most", [Name, Most])].
 
 place(Name, Copters) ->
     case copter_view_params:kind(Name, Copters) of

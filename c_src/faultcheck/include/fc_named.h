@@ -11,7 +11,7 @@ extern "C" {
 
 /* What kind of value a parameter takes. */
 typedef enum {
-    FC_TAKES_NUMBER, /* any number */
+    FC_TAKES_NUMBER, /* any number; also the texts "inf", "-inf" and "nan" */
     FC_TAKES_WHOLE,  /* a whole number of at most 2^53 */
     FC_TAKES_TEXT    /* a text, as fc_parameter says */
 } fc_takes;

@@ -37,6 +37,20 @@ int place_of(const NamedModel &model, const char *name) {
     return -1;
 }
 
+// What JSON and others cannot write as a number; false for any other text.
+bool read_special(const char *text, double *value) {
+    constexpr struct {
+        const char *text;
+        double value;
+    } specials[] = {{"inf", HUGE_VAL}, {"-inf", -HUGE_VAL}, {"nan", NAN}};
+    for (const auto &special : specials)
+        if (std::strcmp(special.text, text) == 0) {
+            *value = special.value;
+            return true;
+        }
+    return false;
+}
+
 int refuse(Text *why, const Text &reason) {
     *why = reason;
     return FC_E_ARG;
@@ -69,7 +83,10 @@ int check_kind(const NamedParameter &parameter, const fc_argument &argument, Tex
         return refuse(why, format("%s must be a whole number %.0f..%.0f", name, parameter.least,
                                   parameter.most));
     default:
-        return argument.text == nullptr ? FC_OK : refuse(why, format("%s must be a number", name));
+        double special;
+        return argument.text == nullptr || read_special(argument.text, &special)
+                   ? FC_OK
+                   : refuse(why, format("%s must be a number, inf, -inf or nan", name));
     }
 }
 
@@ -99,6 +116,15 @@ int NamedArguments::read(const NamedModel &model, const NamedModel *outer, Text 
                 why, format("model %s needs %s: %s", model.name, parameter.name, parameter.text));
     }
     return FC_OK;
+}
+
+double NamedArguments::number(int place, double otherwise) const {
+    if (!has(place))
+        return otherwise;
+    double value = given_[place]->number;
+    if (given_[place]->text != nullptr)
+        read_special(given_[place]->text, &value);
+    return value;
 }
 
 int find_model(const NamedModel *(*at)(int), const char *name) {

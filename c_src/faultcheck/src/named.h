@@ -55,9 +55,7 @@ class NamedArguments {
     bool has(int place) const {
         return given_[place] != nullptr;
     }
-    double number(int place, double otherwise) const {
-        return has(place) ? given_[place]->number : otherwise;
-    }
+    double number(int place, double otherwise) const;
     std::int64_t whole(int place, std::int64_t otherwise) const {
         return has(place) ? static_cast<std::int64_t>(given_[place]->number) : otherwise;
     }

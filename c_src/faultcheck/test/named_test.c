@@ -49,6 +49,8 @@ static const struct {
     {"offset", {{"constant", NULL, 2}}, {FC_OFFSET, 2, 0, 0}},
     {"offset", {{"c", NULL, 2}}, {FC_OFFSET, 2, 0, 0}},
     {"set_to", {{"value", NULL, 1e300}}, {FC_SET_TO, 1e300, 0, 0}},
+    {"set_to", {{"value", "nan", 0}}, {FC_SET_TO, NAN, 0, 0}},
+    {"saturate", {{"low", "-inf", 0}, {"high", "inf", 0}}, {FC_SATURATE, -HUGE_VAL, HUGE_VAL, 0}},
     {"noise_uniform", {{"amplitude", NULL, 2}}, {FC_NOISE_UNIFORM, 2, 0, 0}},
     {"noise_gauss", {{"s", NULL, 1}}, {FC_NOISE_GAUSS, 1, 0, 0}},
     {"random_offset", {{"low", NULL, 0.5}, {"high", NULL, 8}}, {FC_RANDOM_OFFSET, 0.5, 8, 0}},
@@ -133,7 +135,7 @@ static void what_does_not_fit_is_refused_by_name(void) {
     CHECK_ERROR(FC_E_ARG, "low is given twice");
     const fc_argument text = {"value", "5", 5};
     CHECK_INT(fc_arm_named(ctx, "p", "offset", &text, 1), FC_E_ARG);
-    CHECK_ERROR(FC_E_ARG, "value must be a number");
+    CHECK_ERROR(FC_E_ARG, "value must be a number, inf, -inf or nan");
     const fc_argument mode[] = {{"probability", NULL, 1}, {"mode", "off", 0}};
     CHECK_INT(fc_arm_named(ctx, "p", "dropout", mode, 2), FC_E_ARG);
     CHECK_ERROR(FC_E_ARG, "HOLD");

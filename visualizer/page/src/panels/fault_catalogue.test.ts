@@ -79,6 +79,11 @@ describe('the form', () => {
     ['noise_gauss', { deviation: 'nan' }, 'deviation: expected a number, inf or -inf, got "nan"'],
     ['quantise', { step: '0' }, 'step: expected a number above 0, got "0"'],
     ['dropout', { probability: '1.1' }, 'probability: expected a number from 0 to 1, got "1.1"'],
+    [
+      'delay',
+      { calls: '9007199254740993000' },
+      'calls: expected a whole number from 1 to 9007199254740992, got "9007199254740993000"',
+    ],
     ['delay', { calls: '1.5' }, 'calls: expected a whole number from 1 up, got "1.5"'],
   ])('tells what is wrong with %s %j', (name, values, line) => {
     expect(made('probe', name, values)).toBe(line);

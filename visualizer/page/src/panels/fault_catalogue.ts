@@ -37,15 +37,26 @@ export function findModel(where: 'probe' | 'channel', name: string): FaultModel 
 
 // `unit' is that of the probe, '' when unknown; `applied' is the model chosen in the field `apply'.
 export function fieldsOf(model: FaultModel, unit: string, applied = ''): readonly Field[] {
-  return model.parameters.flatMap(({ name, kind }) => fieldsOfParameter(name, kind, unit, applied));
+  const most = mostNatural[model.name] ?? MOST_WHOLE;
+  return model.parameters.flatMap(({ name, kind }) => fieldsOfParameter(name, kind, unit, applied, most));
 }
 
+// Beyond, libfaultcheck takes no number for a whole one.
+const MOST_WHOLE = 2 ** 53;
+
+// What player (copter_hand.erl) and libfaultcheck take at most.
+const mostNatural: Readonly<Record<string, number>> = {
+  corruption: 2 ** 31 - 1,
+  extend: 65536,
+  repeat: 10000,
+};
+
 const whole = (name: string, low: number, high: number, initial: string, hint = ''): Field => ({
-  ...plain(name, 'whole', initial, hint === '' && Number.isFinite(high) ? `${low} to ${high}` : hint),
+  ...plain(name, 'whole', initial, hint === '' && high < MOST_WHOLE ? `${low} to ${high}` : hint),
   check: (text) =>
     /^\d+$/.test(text) && Number(text) >= low && Number(text) <= high
       ? ''
-      : `a whole number from ${low}${Number.isFinite(high) ? ` to ${high}` : ' up'}`,
+      : `a whole number from ${low}${Number(text) > high || high < MOST_WHOLE ? ` to ${high}` : ' up'}`,
 });
 
 const number = (
@@ -87,7 +98,13 @@ const notNan = (n: number): boolean => !Number.isNaN(n);
 const probeModels = faultModels.filter((model) => model.class !== 'communication').map((model) => model.name);
 const fieldTypes = ['f32', 'f64', 'i8', 'i16', 'i32', 'i64', 'u8', 'u16', 'u32', 'u64', 'bool', 'bytes'];
 
-function fieldsOfParameter(parameter: string, kind: string, unit: string, applied: string): readonly Field[] {
+function fieldsOfParameter(
+  parameter: string,
+  kind: string,
+  unit: string,
+  applied: string,
+  most: number,
+): readonly Field[] {
   const name = parameter.toLowerCase();
   switch (kind) {
     case 'bit':
@@ -99,9 +116,9 @@ function fieldsOfParameter(parameter: string, kind: string, unit: string, applie
     case 'byte':
       return [whole(name, 0, 255, '0')];
     case 'natural':
-      return [whole(name, 0, Infinity, name === 'packets' ? '1' : '0')];
+      return [whole(name, 0, most, name === 'packets' ? '1' : '0')];
     case 'count':
-      return [whole(name, 1, Infinity, name === 'ns' ? '100000000' : '10', name === 'ns' ? 'ns' : '')];
+      return [whole(name, 1, MOST_WHOLE, name === 'ns' ? '100000000' : '10', name === 'ns' ? 'ns' : '')];
     case 'any_real':
       return [{ ...number(name, '1', hintOf(name, unit), () => true, ''), check: anyReal }];
     case 'real':
@@ -126,9 +143,9 @@ function fieldsOfParameter(parameter: string, kind: string, unit: string, applie
     case 'receivers':
       return [text(name, 'names between commas', /^[^,\s]+(\s*,\s*[^,\s]+)*$/)];
     case 'delay':
-      return [whole('calls', 1, Infinity, '10', 'probe calls')];
+      return [whole('calls', 1, MOST_WHOLE, '10', 'probe calls')];
     case 'channel_delay':
-      return [whole('ns', 0, Infinity, '200000000', 'ns')];
+      return [whole('ns', 0, MOST_WHOLE, '200000000', 'ns')];
     case 'field':
     case 'part':
       return partFields(kind === 'part');
@@ -144,9 +161,9 @@ function partFields(mayBeWhole: boolean): readonly Field[] {
   const type = choice('type', mayBeWhole ? ['', ...fieldTypes] : fieldTypes);
   return [
     { ...type, optional: mayBeWhole, hint: mayBeWhole ? 'none: the whole packet' : '' },
-    { ...whole('byte', 0, Infinity, '0'), hint: 'where it begins' },
+    { ...whole('byte', 0, MOST_WHOLE, '0'), hint: 'where it begins' },
     { ...choice('big_endian', ['0', '1']), hint: '1: yes' },
-    optional(whole('length', 0, Infinity, ''), 'of bytes; all'),
+    optional(whole('length', 0, MOST_WHOLE, ''), 'of bytes; all'),
   ];
 }
 
