@@ -9,7 +9,6 @@ export interface CaseParams {
   readonly settings: ReadonlyMap<string, number>;
   readonly scenarios: readonly string[];
   readonly shrinkSteps: number | null;
-  readonly sameAgain: string;
   readonly recorded: string;
 }
 
@@ -35,7 +34,6 @@ export function readParams(text: string): CaseParams {
     settings: numbers(given.get('settings')),
     scenarios: words(given.get('scenarios')),
     shrinkSteps: typeof steps === 'number' ? steps : null,
-    sameAgain: word(given.get('same_again')),
     recorded: word(given.get('recorded')),
   };
 }

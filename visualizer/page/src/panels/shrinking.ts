@@ -9,7 +9,7 @@ import { act, type Context, type Panel } from './panel';
 
 export function shrinkingPanel(context: Context): Panel {
   const { viewer } = context;
-  const all = facts(['original / shrunk', 'shrink steps', 'property', 'seed', 'replays same', 'code']);
+  const all = facts(['original / shrunk', 'shrink steps', 'property', 'seed', 'code']);
   let original = false; // asked for by the button
   let caseId = ''; // for which
   const load = button('Replay original', () => {
@@ -41,7 +41,6 @@ export function shrinkingPanel(context: Context): Panel {
     all.set('shrink steps', params.shrinkSteps === null ? '' : String(params.shrinkSteps));
     all.set('property', caseInfo.property);
     all.set('seed', caseInfo.seed);
-    all.set('replays same', params.sameAgain);
     all.set('code', caseInfo.codeVersion);
     const why = original ? viewer.state.askReason : noOriginal(viewer.state);
     const label = original ? 'Replay shrunk' : 'Replay original';
