@@ -35,7 +35,8 @@ group="udpm://239.255.76.67:$((1024 + (10#$port - 2122 + 64512) % 64512))?ttl=0"
 what=()
 if [ -n "$case" ]; then
   if [ ! -e "$case" ] && [ -d "$cases/$case" ]; then case=$cases/$case; fi
-  [ -f "$case/case.json" ] || fail "no case $case; stored are the folders below $cases/" 2
+  [ -f "$case/case.json" ] || [ -f "$case/scenario.json" ] ||
+    fail "no case $case; stored are the folders below $cases/" 2
   what+=("$case")
 fi
 if [ -n "${SCENARIO:-}" ] && [ ! -f "$SCENARIO" ]; then

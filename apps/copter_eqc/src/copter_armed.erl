@@ -48,7 +48,7 @@ armed(Faults, Now, Dt, Armed) ->
 -spec named(copter_fault:arming(), Dt_us :: pos_integer()) -> named().
 named({Where, Fault, Seed}, Dt) ->
     {_, Trigger} = faultcheck_fault:normal(Fault),
-    [{model, Model} | Members] = copter_scenario:fault(Fault, Dt),
+    [{model, Model} | Members] = copter_scenario:fault(Where, Fault, Dt),
     Own = [{seed, Seed} || Seed =/= none],
     {Where, atom_to_binary(Model), {object, Members ++ Own}, Trigger}.
 
@@ -62,7 +62,7 @@ item(Id, {Where, Model, Params, Trigger}, Now, Dt) ->
         model = Model,
         params = faultcheck_json:encode(Params),
         from_us = From,
-        to_us = ends(From, Trigger, Dt)
+        to_us = ends(From, Trigger, Place, Dt)
     }.
 
 begins(Trigger) ->
@@ -73,12 +73,18 @@ begins(Trigger) ->
 
 %% A number of calls lasts so many steps only at a probe that is called once a step; one that
 %% begins after so many calls has no known end.
-ends(From, Trigger, Dt) ->
+ends(From, Trigger, Place, Dt) ->
     case [lists:keyfind(Key, 1, Trigger) || Key <- [time, for, from]] of
         [{time, _, forever}, _, _] -> -1;
         [{time, _, Lasting}, _, _] -> From + Lasting div ?NS_PER_US;
-        [false, {for, Calls}, false] -> From + Calls * Dt;
+        [false, {for, Calls}, false] -> calls_end(From + Calls * Dt, Place);
         _ -> -1
+    end.
+
+calls_end(T, Place) ->
+    case copter_view_params:is_position(Place) of
+        true -> T;
+        false -> -1
     end.
 
 %% @doc The copter that a probe or channel belongs to: PxId3, RangeId3Anch0, ITS_DATA3; or -1.

@@ -212,13 +212,32 @@ event(#{<<"type">> := <<"remove_copter">>, <<"id">> := Id}) ->
 event(#{<<"type">> := Type}) ->
     throw({bad, line("events of type ~ts cannot be shown", [Type])}).
 
+%% Parameters are members of the event, or of its member `params'.
 armed(Where, #{<<"model">> := Model} = Event) ->
-    Ours = [<<"type">>, <<"t_us">>, <<"model">>, <<"duration_us">>, <<"probability">>, <<"seed">>],
-    Parameters = lists:sort(maps:to_list(maps:without(Ours, Event))),
-    Trigger =
-        [{time, 0, D * ?NS_PER_US} || {ok, D} <- [maps:find(<<"duration_us">>, Event)]] ++
-            [{random, P} || {ok, P} <- [maps:find(<<"probability">>, Event)]],
-    Seed = maps:get(<<"seed">>, Event, none),
-    {fly_inject, [Where, Model, Parameters, Trigger, Seed]}.
+    Others = maps:without([<<"type">>, <<"t_us">>, <<"model">>, <<"params">>], Event),
+    When = maps:with(
+        [<<"duration_us">>, <<"delay_us">>, <<"from_calls">>, <<"for_calls">>, <<"seed">>]
+            ++ [<<"probability">> || not has_probability(Model)],
+        Others
+    ),
+    Beside = maps:without(maps:keys(When), Others),
+    Parameters = lists:sort(maps:to_list(maps:merge(Beside, maps:get(<<"params">>, Event, #{})))),
+    {fly_inject, [Where, Model, Parameters, trigger(When), maps:get(<<"seed">>, When, none)]}.
+
+%% Those models have a parameter of this name.
+has_probability(Model) -> lists:member(Model, [<<"dropout">>, <<"spike">>]).
+
+trigger(When) ->
+    window(When) ++
+        [{random, P} || {ok, P} <- [maps:find(<<"probability">>, When)]] ++
+        [{from, N} || {ok, N} <- [maps:find(<<"from_calls">>, When)]] ++
+        [{for, N} || {ok, N} <- [maps:find(<<"for_calls">>, When)]].
+
+window(When) ->
+    Delay = maps:get(<<"delay_us">>, When, 0) * ?NS_PER_US,
+    case When of
+        #{<<"duration_us">> := Duration} -> [{time, Delay, Duration * ?NS_PER_US}];
+        _ -> [{time, Delay, forever} || Delay > 0]
+    end.
 
 line(Format, Args) -> lists:flatten(io_lib:format(Format, Args)).

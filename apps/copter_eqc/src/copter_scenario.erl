@@ -4,7 +4,7 @@
 %% bit. Reals are written so that they read back as the same number.
 -module(copter_scenario).
 
--export([from_commands/3, from_flight/3, from_case/3, fault/2]).
+-export([from_commands/3, from_case/3, from_plan/5, fault/3]).
 
 -define(US_PER_MS, 1000).
 -define(NS_PER_US, 1000).
@@ -31,9 +31,11 @@ from_case(Case, Settings, Endings) ->
         {x_reasons, [{text, R} || R <- Reasons]},
         {x_seed, Seed},
         {x_versions, maps:map(fun(_, V) -> {text, V} end, Versions)},
-        {x_endings, maps:map(fun(_, Ending) -> {text, ending(Ending)} end, Endings)}
+        endings(Endings)
     ],
     from_flight(Commands, Settings, [{name, Property} | Origin]).
+
+endings(Endings) -> {x_endings, maps:map(fun(_, E) -> {text, ending(E)} end, Endings)}.
 
 ending({failed, Text}) -> Text;
 ending(passed) -> "passed".
@@ -44,12 +46,25 @@ ending(passed) -> "passed".
 from_commands(Commands, Options, Head) ->
     from_flight(Commands, copter_sut:settings(Options), Head).
 
-%% @doc The same from settings.
--spec from_flight([command()], copter_sut:settings(), [{atom(), faultcheck_json:json()}]) ->
-    faultcheck_json:json().
 from_flight(Commands, #{dt_us := Dt} = Settings, Head) ->
     Calls = [{Name, Args} || {set, _, {call, _, Name, Args}} <- Commands],
-    Story = lists:foldl(fun tell/2, #story{dt_us = Dt}, Calls),
+    scenario(lists:foldl(fun tell/2, #story{dt_us = Dt}, Calls), Settings, Head).
+
+%% @doc The scenario of what was done in a flight up to a time, and how it ended then.
+-spec from_plan(
+    [copter_plan:planned()], End_us :: non_neg_integer(), copter_sut:settings(), Name :: string(),
+    replay_source:ending()
+) -> faultcheck_json:json().
+from_plan(Planned, End, #{dt_us := Dt} = Settings, Name, Ending) ->
+    Story = lists:foldl(
+        fun({T, _, Call}, Story) -> tell(Call, Story#story{t_us = T}) end,
+        #story{dt_us = Dt},
+        [P || {_, _, {Command, _}} = P <- Planned, not copter_plan:is_time(Command)]
+    ),
+    Head = [{name, {text, Name}}, endings(#{shrunk => Ending})],
+    scenario(Story#story{t_us = End}, Settings, Head).
+
+scenario(Story, Settings, Head) ->
     {object,
         [{format, <<"coptersim-scenario/1">>} | Head] ++
             settings(Settings, Story) ++
@@ -124,8 +139,8 @@ tell({fly_set, [Id, Name, Value]}, Story) ->
 tell({fly_inject, [{Kind, Place}, Model, Parameters, Trigger, Seed]}, Story) ->
     Type = maps:get(Kind, #{probe => fault, channel => packet_fault}),
     Own = [{seed, Seed} || Seed =/= none],
-    Members = [{Kind, Place}, {model, Model}] ++ Parameters ++ trigger(Trigger, Story) ++ Own,
-    event(Type, Members, Story);
+    When = trigger(Place, Trigger, Story#story.dt_us),
+    event(Type, [{Kind, Place}, {model, Model} | parameters(Parameters)] ++ When ++ Own, Story);
 tell({fly_clear, [{Kind, Place}]}, Story) ->
     event(clear_faults, [{Kind, Place}], Story);
 tell({fault_clear, []}, Story) ->
@@ -135,34 +150,43 @@ tell({Command, Args}, #story{copters = Copters} = Story) ->
     Ids = [Id || {Id, _} <- Copters],
     lists:foldl(fun armed/2, Story, copter_fault:arming(Kind, Args, lists:sort(Ids))).
 
+%% Beside the other members, unless they have names of those.
+parameters(Parameters) ->
+    Members = [<<"t_us">>, <<"type">>, <<"probe">>, <<"channel">>, <<"model">>, <<"params">>,
+               <<"duration_us">>, <<"delay_us">>, <<"from_calls">>, <<"for_calls">>,
+               <<"probability">>, <<"seed">>],
+    case [Name || {Name, _} <- Parameters, lists:member(Name, Members)] of
+        [] -> Parameters;
+        _ -> [{params, {object, Parameters}}]
+    end.
+
 %% @doc A fault by the names that scenarios use: its model, parameters and what its trigger says.
--spec fault(faultcheck_fault:fault(), Dt_us :: pos_integer()) -> [{atom(), term()}].
-fault(Fault, Dt) ->
+-spec fault(faultcheck_inject:where(), faultcheck_fault:fault(), Dt_us :: pos_integer()) ->
+    [{atom(), term()}].
+fault(Where, Fault, Dt) ->
     {Model, Trigger} = faultcheck_fault:normal(Fault),
-    model(Model) ++ trigger(Trigger, #story{dt_us = Dt}).
+    model(Model) ++ trigger(element(2, Where), Trigger, Dt).
 
 event(Type, Members, #story{t_us = Time, events = Events} = Story) ->
     Story#story{events = [{object, [{t_us, Time}, {type, Type} | Members]} | Events]}.
 
-armed({Where, Fault, Seed}, Story) ->
-    {Model, Trigger} = faultcheck_fault:normal(Fault),
-    {Type, Place} =
-        case Where of
-            {probe, Probe} -> {fault, {probe, Probe}};
-            {channel, Channel} -> {packet_fault, {channel, Channel}}
-        end,
+armed({{Kind, Place} = Where, Fault, Seed}, Story) ->
+    Type = maps:get(Kind, #{probe => fault, channel => packet_fault}),
     Own = [{seed, Seed} || Seed =/= none],
-    event(Type, [Place | model(Model)] ++ trigger(Trigger, Story) ++ Own, Story).
+    event(Type, [{Kind, Place} | fault(Where, Fault, Story#story.dt_us)] ++ Own, Story).
 
-%% A probe of a position is called once a step. What a scenario has no words for has members that
-%% coptersim_run refuses.
-trigger(Trigger, Story) -> [condition(C, Story) || C <- Trigger, C =/= {time, 0, forever}].
+%% A probe of a position is called once a step.
+trigger(Place, Trigger, Dt) ->
+    Counted = copter_view_params:is_position(Place) andalso not lists:keymember(from, 1, Trigger),
+    lists:append([condition(C, Counted, Dt) || C <- Trigger]).
 
-condition({for, Calls}, #story{dt_us = Dt}) -> {duration_us, Calls * Dt};
-condition({time, 0, For}, _) -> {duration_us, For div ?NS_PER_US};
-condition({random, Share}, _) -> {probability, Share};
-condition({time, Delay, _}, _) -> {delay_ns, Delay};
-condition({from, Calls}, _) -> {from_calls, Calls}.
+condition({for, Calls}, true, Dt) -> [{duration_us, Calls * Dt}];
+condition({for, Calls}, false, _) -> [{for_calls, Calls}];
+condition({from, Calls}, _, _) -> [{from_calls, Calls}];
+condition({random, Share}, _, _) -> [{probability, Share}];
+condition({time, Delay, For}, _, _) ->
+    [{delay_us, Delay div ?NS_PER_US} || Delay > 0] ++
+        [{duration_us, For div ?NS_PER_US} || For =/= forever].
 
 model({offset, Value}) -> [{model, offset}, {value, Value}];
 model({amplification, Factor}) -> [{model, amplification}, {value, Factor}];

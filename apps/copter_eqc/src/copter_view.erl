@@ -44,6 +44,8 @@
 %% Of a live flight the latest so many are listed.
 -define(MOST_COMMANDS, 500).
 -define(EXAMPLE, "crowd_with_faults").
+%% us
+-define(SHORTEST_DT, 1000).
 
 %% ---- opening ----------------------------------------------------------------------------------
 
@@ -74,6 +76,13 @@ open({scenario, File}) ->
     with_scenario(File, fun(#{name := Name, settings := Settings, plan := Plan}) ->
         Title = unicode:characters_to_list(Name),
         (of_plan(Title, Settings, Plan))#view{live = true, end_us = unknown}
+    end);
+open({kept, Dir}) ->
+    with_scenario(filename:join(Dir, "scenario.json"), fun(Scenario) ->
+        #{settings := Settings, plan := Plan, origin := Origin} = Scenario,
+        (of_plan(filename:basename(Dir), Settings, Plan))#view{
+            recorded = recorded_in(Origin, shrunk)
+        }
     end);
 open({flight, Name, Settings, Plan}) ->
     {ok, of_plan(Name, Settings, Plan)};
@@ -234,19 +243,27 @@ carry_out(#view{due = [], now = Now, end_us = End, ending = running} = View) whe
 carry_out(View) ->
     {[], View}.
 
-perform({_, Index, Call}, #view{now = Now, done = Done} = View0) ->
-    {Name, Args} = Call,
-    View = before(Call, View0#view{done = [{Now, Index, Call} | Done]}),
-    Event = event(command, #{t_us => Now, a => Index, text => call_text(Call)}),
-    case copter_plan:is_time(Name) orelse apply(copter_eqc, Name, Args) of
-        true -> {[Event], View};
-        ok -> after_call(Call, Event, View);
-        Refused -> refused(text("~ts: ~0tp", [call_text(Call), Refused]), Event, View)
+perform({_, Index, Call} = Planned, #view{now = Now} = View0) ->
+    case performed(Planned, View0) of
+        {ok, Events, View} ->
+            {Events, View};
+        {refused, Sentence, View} ->
+            Text = text("~ts: ~ts", [call_text(Call), Sentence]),
+            Verdict = event(verdict, #{t_us => Now, text => ["failed: ", Text]}),
+            {[command_event(Index, Call, Now), Verdict], View#view{ending = {failed, Text}}}
     end.
 
-refused(Text, Event, #view{now = Now} = View) ->
-    Verdict = event(verdict, #{t_us => Now, text => ["failed: ", Text]}),
-    {[Event, Verdict], View#view{ending = {failed, Text}}}.
+performed({_, Index, {Name, Args} = Call}, #view{now = Now, done = Done} = View0) ->
+    View = before(Call, View0#view{done = [{Now, Index, Call} | Done]}),
+    Event = command_event(Index, Call, Now),
+    case copter_plan:is_time(Name) orelse apply(copter_eqc, Name, Args) of
+        true -> {ok, [Event], View};
+        ok -> after_call(Call, Event, View);
+        {error, {_, Sentence}} -> {refused, Sentence, View}
+    end.
+
+command_event(Index, Call, Now) ->
+    event(command, #{t_us => Now, a => Index, text => call_text(Call)}).
 
 before({fault_clear, []}, #view{now = Now, armed = Armed} = View) ->
     View#view{armed = copter_armed:cleared(all, Now, Armed)};
@@ -258,10 +275,10 @@ before(_, View) ->
 after_call(Call, Event, #view{now = Now, armed = Armed, settings = #{dt_us := Dt}} = View) ->
     case faults_of(Call, Dt) of
         [] ->
-            {[Event], View};
+            {ok, [Event], View};
         Faults ->
             New = copter_armed:armed(Faults, Now, Dt, Armed),
-            {[Event | [fault_event(F, Now) || F <- Faults]], View#view{armed = New}}
+            {ok, [Event | [fault_event(F, Now) || F <- Faults]], View#view{armed = New}}
     end.
 
 faults_of({fly_inject, [Where, Model, Parameters, Trigger, Seed]}, _) ->
@@ -459,33 +476,36 @@ by_hand([], Events, View, _) ->
     {ok, Events, View};
 by_hand([Call | Calls], Events, #view{now = Now, done = Done, due = Due} = View, Before) ->
     Index = length(Done) + length(Due),
-    try perform({Now, Index, Call}, View) of
-        {_, #view{ending = {failed, Text}}} -> {error, Text};
-        {New, Next} -> by_hand(Calls, Events ++ New, Next, Before)
+    try performed({Now, Index, Call}, View) of
+        {refused, Sentence, _} -> {error, text("~ts", [Sentence])};
+        {ok, New, Next} -> by_hand(Calls, Events ++ New, Next, Before)
     catch
         %% the simulator says in a sentence what it does not accept
         error:{csim, _, _, Sentence} -> {error, unicode:characters_to_list(Sentence)}
     end.
 
-%% @doc The flight as a case of its property.
--spec store(view()) ->
-    {ok, faultcheck_case:'case'(), [{file:filename(), iodata()}]} | {error, string()}.
-store(#view{property = none}) ->
-    {error, "no property has the world and the parameters of this scenario"};
-store(#view{settings = #{dt_us := Dt}}) when Dt < 1000 ->
-    {error, "steps of less than 1 ms cannot be stored as a case"};
-store(#view{property = {Module, Property}, settings = Settings, now = End} = View) ->
-    #view{done = Done, ending = Ending} = View,
-    #{dt_us := Dt} = Settings,
+%% @doc The flight as a case of its property; as its scenario where no property has its world, or
+%% where its steps are too short for the commands of one.
+-spec store(view()) -> {replay_kept:kept(), replay_kept:files()}.
+store(#view{property = {Module, Property}, settings = #{dt_us := Dt} = Settings} = View) when
+    Dt >= ?SHORTEST_DT
+->
+    #view{done = Done, now = End, 'case' = Before} = View,
     Commands = copter_plan:to_commands(lists:reverse(Done), End, Dt),
-    Result =
-        case Ending of
-            {failed, _} = Failed -> Failed;
-            _ -> passed
-        end,
-    Case = stored(Module, Property, [Commands], Result, View#view.'case'),
+    Result = result(View),
+    Case = stored(Module, Property, [Commands], Result, Before),
     Scenario = copter_scenario:from_case(Case, Settings, #{shrunk => Result, original => Result}),
-    {ok, Case, [{"scenario.json", faultcheck_json:pretty(Scenario)}]}.
+    {Case, [scenario_file(Scenario)]};
+store(#view{done = Done, now = End, settings = Settings} = View) ->
+    Planned = lists:reverse(Done),
+    Id = faultcheck_case:id(flight, [Settings, Planned, End]),
+    Scenario = copter_scenario:from_plan(Planned, End, Settings, Id, result(View)),
+    {{flight, Id}, [scenario_file(Scenario)]}.
+
+result(#view{ending = {failed, _} = Failed}) -> Failed;
+result(_) -> passed.
+
+scenario_file(Scenario) -> {"scenario.json", faultcheck_json:pretty(Scenario)}.
 
 stored(Module, Property, Sequence, Result, Before) ->
     {Status, Reasons} =

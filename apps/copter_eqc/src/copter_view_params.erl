@@ -2,7 +2,7 @@
 %% (docs/visualizer.md); and the names of the simulator's probes and channels.
 -module(copter_view_params).
 
--export([of_view/1, probes/2, channels/1, kind/2]).
+-export([of_view/1, probes/2, channels/1, kind/2, is_position/1]).
 -export_type([about/0]).
 
 -type about() :: #{
@@ -98,3 +98,7 @@ probe_of(Id, Copters) ->
         true -> probe;
         false -> none
     end.
+
+%% @doc Whether it is the probe of a copter's own position, which is called once a step.
+-spec is_position(binary()) -> boolean().
+is_position(Name) -> re:run(Name, "^P[xy]Id[0-9]+$") =/= nomatch.

@@ -225,7 +225,7 @@ a_case_without_its_scenario_is_refused_in_one_line_test() ->
     in_folder(fun(Root) ->
         Dir = stored_case(Root),
         ok = file:delete(filename:join(Dir, "scenario.json")),
-        {error, Line} = replay_source:of_case(Dir, shrunk),
+        {error, Line} = replay_source:of_case(Dir, shrunk, none),
         ?assertEqual(Dir ++ ": scenario.json is missing; faultcheck report " ++ Dir ++ " writes it",
                      Line)
     end).
@@ -272,7 +272,7 @@ a_fork_is_stored_and_played_again_test() ->
         T = copter_sut:time_us(),
         {ok, Dir} = faultcheck_case:write(Root, Case),
         [ok = file:write_file(filename:join(Dir, Name), Text) || {Name, Text} <- Files],
-        {ok, {copter_view, View}} = replay_source:of_case(Dir, shrunk),
+        {ok, {copter_view, View}} = replay_source:of_case(Dir, shrunk, none),
         {_, Begun} = copter_view:start(View),
         {_, Ended} = copter_view:advance(60000000, Begun),
         ?assertEqual(T, copter_view:now(Ended)),
@@ -285,3 +285,57 @@ a_fork_is_stored_and_played_again_test() ->
         %% and as the scenario beside it
         ?assertMatch({ok, _}, copter_plan:read_scenario(filename:join(Dir, "scenario.json")))
     end).
+
+%% ---- flights in the world of a scenario that no property has ----------------------------------
+
+own_world(Dt) ->
+    faultcheck_json:encode({object, [
+        {format, <<"coptersim-scenario/1">>}, {dt_us, Dt}, {duration_us, 60000000},
+        {its_div, 20}, {anchor_div, 20},
+        {world, {object, [
+            {lines, [{object, [{id, 7}, {p1, [-9, 9]}, {p2, [9, 9]}]}]},
+            {anchors, [{object, [{id, N}, {pos, [X, Y, 2]}]}
+                       || {N, X, Y} <- [{0, -5, -5}, {1, 5, -5}, {2, 0, 5}]]}
+        ]}},
+        {copters, [{object, [{id, 0}, {pos, [-3, 0]}]}, {object, [{id, 1}, {pos, [3, 0]}]}]}
+    ]}).
+
+%% Kept with its scenario, and played again from it: the same bits, the same end.
+is_kept_and_played_again(Dt) ->
+    in_folder(fun(Root) ->
+        ok = filelib:ensure_dir(filename:join(Root, "x")),
+        ok = file:write_file(filename:join(Root, "own.json"), own_world(Dt)),
+        {_, P1} = wait(500000, opened({view, {scenario, filename:join(Root, "own.json")}})),
+        {_, P2} = ask(<<"steer">>, 0, [0.05, -0.1, 0.2], <<>>, P1),
+        {_, P3} = ask(<<"set">>, -1, [0.5], <<"comfort_radius">>, P2),
+        Faults = [
+            <<"{\"probe\":\"RangeId1Anch0\",\"model\":\"random_offset\",\"params\":{\"low\":0,"
+              "\"high\":1},\"from_calls\":1,\"for_calls\":3}">>,
+            <<"{\"probe\":\"RollId0\",\"model\":\"dropout\",\"params\":{\"probability\":0.5,"
+              "\"mode\":\"zero\"},\"from_s\":0.2,\"for_s\":0.5}">>,
+            <<"{\"probe\":\"ITS_DATA1\",\"model\":\"field\",\"params\":{\"type\":\"f32\","
+              "\"apply\":\"saturate\",\"low\":\"-inf\",\"high\":2}}">>,
+            <<"{\"probe\":\"PyId1\",\"model\":\"offset\",\"params\":{\"constant\":0.3},"
+              "\"from_calls\":0,\"for_calls\":1}">>
+        ],
+        P4 = lists:foldl(fun(F, P) -> {_, Next} = ask(<<"inject">>, -1, [], F, P), Next end,
+                         P3, Faults),
+        {_, P5} = wait(1500000, P4),
+        {_, P6} = ask(<<"add_object">>, -1, [0.0, -4.0], <<>>, P5),
+        {_, P7} = wait(700000, P6),
+        [{store, {flight, Id} = Kept, Files}] = replay_player:close(P7),
+        Flown = [copter_sut:bits(V) || V <- [true, perceived]],
+        T = copter_sut:time_us(),
+        {ok, Dir} = replay_kept:write(Root, Kept, Files),
+        ?assertEqual({ok, Dir}, replay_kept:find(Id, Root)),
+        {ok, {copter_view, View}} = replay_source:of_case(Dir, shrunk, copter_view),
+        ?assertEqual(passed, copter_view:recorded(View)),
+        {_, Begun} = copter_view:start(View),
+        {_, Ended} = copter_view:advance(60000000, Begun),
+        ?assertEqual({T, passed}, {copter_view:now(Ended), copter_view:ending(Ended)}),
+        ?assert(Flown =:= [copter_sut:bits(V) || V <- [true, perceived]])
+    end).
+
+a_flight_in_a_world_of_its_own_is_kept_test() -> is_kept_and_played_again(5000).
+
+so_is_one_with_short_steps_test() -> is_kept_and_played_again(500).

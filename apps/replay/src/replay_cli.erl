@@ -52,7 +52,7 @@ usage() ->
     "  --allow-control        pages may control it, with a token of the file given by\n"
     "  --token-file FILE      shared with the bridge; whoever comes first makes it\n"
     "  --allow-network        take a URL with ttl > 0\n\n"
-    "Ctrl-C ends it; a live flight is stored as a case then.\n"
+    "Ctrl-C ends it; a live flight is stored below cases/ then.\n"
     "Exit status: 2 wrong usage or input, or another player on the group, 3 an address or a file\n"
     "cannot be used, 130 interrupted.\n".
 
@@ -129,14 +129,9 @@ complete(Options) ->
 
 %% The options with the path of the case, which can be read.
 located(#{'case' := Given} = Options) ->
-    case faultcheck_case:find(Given, cases(Options)) of
-        {ok, Path} ->
-            case faultcheck_case:read(Path) of
-                {ok, _} -> {ok, Options#{'case' := Path}};
-                {error, _} = Error -> Error
-            end;
-        {error, _} = Error ->
-            Error
+    case replay_kept:find(Given, cases(Options)) of
+        {ok, Path} -> {ok, Options#{'case' := Path}};
+        {error, _} = Error -> Error
     end;
 located(Options) ->
     {ok, Options}.
@@ -146,12 +141,12 @@ cases(Options) -> maps:get(cases, Options, faultcheck_case:directory()).
 %% Two on one group would be shown mixed.
 alone(Options) ->
     case replay_neighbour:find(url(Options), udp(Options)) of
-        none ->
-            played(Options);
-        {found, Line} ->
-            Remedy = ": --group udpm://239.255.76.67:PORT, or make visualizer PORT=N",
-            failed(Line ++ Remedy, ?USAGE_ERROR)
+        none -> played(Options);
+        {found, Line} -> not_alone(Line)
     end.
+
+not_alone(Line) ->
+    failed(Line ++ ": --group udpm://239.255.76.67:PORT, or make visualizer PORT=N", ?USAGE_ERROR).
 
 udp(Options) -> #{allow_network => maps:get(network, Options, false)}.
 
@@ -199,6 +194,8 @@ url(#{udp := Address}) -> Address;
 url(#{url := Url}) -> Url;
 url(_) -> replay_lcm_url:default().
 
+started(_, {error, {another, Line}}) ->
+    not_alone(Line);
 started(_, {error, Line}) ->
     failed(Line, ?CANNOT);
 started(Options, {ok, Pid}) ->
@@ -214,6 +211,8 @@ started(Options, {ok, Pid}) ->
         faultcheck_interrupt ->
             ok = replay_player_server:stop(Pid),
             ?INTERRUPTED;
+        {'DOWN', Monitor, process, Pid, {shutdown, {another, Line}}} ->
+            not_alone(Line);
         {'DOWN', Monitor, process, Pid, Reason} ->
             failed(io_lib:format("ended: ~0tp", [Reason]), ?CANNOT)
     end.

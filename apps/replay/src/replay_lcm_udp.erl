@@ -18,7 +18,7 @@
 %% own port; a `listener' has that address and answers whoever it heard last.
 -module(replay_lcm_udp).
 
--export([open/2, publish/3, incoming/2, close/1]).
+-export([open/2, publish/3, incoming/2, source_port/1, close/1]).
 -export_type([lcm/0, options/0, from/0]).
 
 -type options() :: #{
@@ -179,6 +179,12 @@ incoming(_, _) ->
 %% A listener by unicast answers the latest sender.
 heard(From, #lcm{answers = true} = Lcm) -> Lcm#lcm{to = From};
 heard(_From, Lcm) -> Lcm.
+
+%% @doc The port that messages are sent from: by it others know one sender from another.
+-spec source_port(lcm()) -> inet:port_number().
+source_port(#lcm{sender = Socket}) ->
+    {ok, Port} = inet:port(Socket),
+    Port.
 
 %% @doc Closes the sockets.
 -spec close(lcm()) -> ok.

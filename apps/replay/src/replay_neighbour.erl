@@ -2,9 +2,13 @@
 %%
 %% Whoever plays tells VIZ_STATUS five times a second, also when paused, so a short while of
 %% listening is enough. One that was killed tells nothing any more.
+%%
+%% Two that were started together have both heard nothing. So each listens on for a second after it
+%% has begun to send, and of the two the one that sends from the higher port gives way. One that was
+%% heard before the first message was sent was there first.
 -module(replay_neighbour).
 
--export([find/2]).
+-export([find/2, is_heard/1, gives_way/3, line/1]).
 
 -define(LISTEN_MS, 600).
 
@@ -30,7 +34,7 @@ listening(Url, Options, Address) ->
 %% What the process has told, if it came to that, was there before its end.
 found(Pid, Address) ->
     receive
-        {?MODULE, Pid, true} -> {found, line(Address)};
+        {?MODULE, Pid, true} -> {found, line_of(Address)};
         {?MODULE, Pid, false} -> none
     after 0 -> none
     end.
@@ -58,7 +62,38 @@ until(Timer, Lcm) ->
             end
     end.
 
-line(#{address := Ip, port := Port}) ->
+%% @doc Whether somebody plays there, by what has come in so far. For whoever sends nothing yet.
+-spec is_heard(replay_lcm_udp:lcm()) -> {boolean(), replay_lcm_udp:lcm()}.
+is_heard(Lcm) ->
+    receive
+        Info when element(1, Info) =:= udp; element(1, Info) =:= udp_passive ->
+            case replay_lcm_udp:incoming(Info, Lcm) of
+                {message, <<"VIZ_STATUS">>, _, _, Next} -> {true, Next};
+                {message, _, _, _, Next} -> is_heard(Next);
+                {bad, _, _, Next} -> is_heard(Next);
+                {none, Next} -> is_heard(Next);
+                unknown -> is_heard(Lcm)
+            end
+    after 0 ->
+        {false, Lcm}
+    end.
+
+%% @doc Whether one that plays gives way to whoever told a status; the line says to whom.
+-spec gives_way(replay_lcm_udp:from(), replay_lcm_udp:lcm(), string()) ->
+    false | {true, replay_lcm:line()}.
+gives_way({_, Port}, Lcm, Url) ->
+    case Port < replay_lcm_udp:source_port(Lcm) of
+        true -> {true, line(Url)};
+        false -> false
+    end.
+
+%% @doc What is said then.
+-spec line(string()) -> replay_lcm:line().
+line(Url) ->
+    {ok, Address} = replay_lcm_url:parse(Url, true),
+    line_of(Address).
+
+line_of(#{address := Ip, port := Port}) ->
     lists:flatten(
         io_lib:format("another player sends to ~ts:~b already; end it, or use another group",
                       [inet:ntoa(Ip), Port])

@@ -31,10 +31,9 @@
 }.
 -type out() ::
     {publish, replay_run:message()}
-    %% for the terminal; for the pages as well
+    %% for the terminal
     | {log, string()}
-    | {notice, string()}
-    | {store, faultcheck_case:'case'(), [{file:filename(), iodata()}]}.
+    | {store, replay_kept:kept(), replay_kept:files()}.
 
 -record(player, {
     options :: options(),
@@ -86,8 +85,8 @@ open(#{opening := Opening, number := Number, playing := Playing, speed := Speed}
 playing(true, Now, #player{clock = Clock} = P) -> P#player{clock = replay_clock:play(Now, Clock)};
 playing(false, Now, #player{clock = Clock} = P) -> P#player{clock = replay_clock:pause(Now, Clock)}.
 
-source({'case', Dir, Which}, _) ->
-    replay_source:of_case(Dir, Which);
+source({'case', Dir, Which}, #{view := View}) ->
+    replay_source:of_case(Dir, Which, View);
 source({view, _}, #{view := none}) ->
     {error, "what is to be played? a case: faultcheck play cases/<id>"};
 source({view, What}, #{view := View}) ->
@@ -407,9 +406,14 @@ do({observe, Id}, _, #player{run = Run} = P) ->
     end;
 do({load, Id, Which}, Now, #player{options = #{cases := Cases}} = P) ->
     Dir = filename:join(Cases, Id),
-    case filelib:is_dir(Dir) of
-        true -> reopened({'case', Dir, Which}, Now, P);
-        false -> reopened({view, {named, Id}}, Now, P)
+    Opening =
+        case filelib:is_dir(Dir) of
+            true -> {'case', Dir, Which};
+            false -> {view, {named, Id}}
+        end,
+    case is_played(Opening, P) of
+        true -> {ok, [], P};
+        false -> reopened(Opening, Now, P)
     end;
 do({scenario, Name}, Now, #player{options = #{scenarios := Dir}} = P) ->
     reopened({view, {scenario, filename:join(Dir, Name)}}, Now, P);
@@ -424,6 +428,10 @@ do({live, Action}, Now, P) ->
         live -> acted(Action, Now, P);
         replay -> {error, verb_of(Action) ++ ": only in a live flight; fork this replay first"}
     end.
+
+%% Several pages may ask for what all of them show: it is not begun again for each.
+is_played(Opening, #player{opening = Opening, ended = false} = P) -> mode(P) =:= replay;
+is_played(_, _) -> false.
 
 %% It goes on from where it is, unless it has failed.
 forked(Now, #player{run = Run, clock = Clock} = P) ->
@@ -503,14 +511,10 @@ unsaved(#player{touched = true, run = Run}) ->
 unsaved(_) ->
     none.
 
-%% A live flight in which somebody did something becomes a case.
+%% A live flight in which somebody did something is stored.
 kept(#player{touched = true, run = Run} = P) ->
     {Mod, State} = {replay_run:module_of(Run), replay_run:source(Run)},
-    Out =
-        case Mod:store(State) of
-            {ok, Case, Files} -> {store, Case, Files};
-            {error, Line} -> {notice, "not stored: " ++ Line}
-        end,
-    {[Out], P#player{touched = false}};
+    {Kept, Files} = Mod:store(State),
+    {[{store, Kept, Files}], P#player{touched = false}};
 kept(P) ->
     {[], P}.

@@ -11,13 +11,19 @@
     url := string(),
     udp := replay_lcm_udp:options(),
     %% what people should know, a line each
-    say := fun((string()) -> term())
+    say := fun((string()) -> term()),
+    %% for so long after the beginning it may give way to another player: 1 s
+    unsure_us => non_neg_integer()
 }.
 
 -record(state, {
     player :: replay_player:player(),
     lcm :: replay_lcm_udp:lcm(),
+    url :: string(),
+    %% until then another player may be heard that was started together with this one
+    unsure_until :: integer(),
     cases :: file:filename(),
+    view :: module() | none,
     say :: fun((string()) -> term()),
     timer :: reference(),
     %% the latest failure to send, which is told once
@@ -30,38 +36,55 @@
 
 -define(US_PER_MS, 1000).
 -define(WRITE_US, 2000000).
+-define(UNSURE_US, 1000000).
 
-%% @doc Opens the source and the sockets, and plays. The error is one line.
--spec start(options()) -> {ok, pid()} | {error, string()}.
+%% @doc Opens the source and the sockets, and plays. The error is one line; another player on the
+%% group is one of its own. It ends with the reason `{shutdown, {another, Line}}' when it hears such
+%% a one only after it has begun, and is the one to give way (replay_neighbour).
+-spec start(options()) -> {ok, pid()} | {error, string() | {another, string()}}.
 start(Options) ->
     case gen_server:start(?MODULE, Options, []) of
         {ok, Pid} -> {ok, Pid};
-        {error, {shutdown, Line}} -> {error, Line}
+        {error, {shutdown, Why}} -> {error, Why}
     end.
 
 %% @doc Ends it; a live flight is stored first.
 -spec stop(pid()) -> ok.
 stop(Pid) -> gen_server:stop(Pid).
 
--spec init(options()) -> {ok, #state{}} | {stop, {shutdown, string()}}.
-init(#{player := #{cases := Cases} = Given, url := Url, udp := Udp, say := Say}) ->
+-spec init(options()) -> {ok, #state{}} | {stop, {shutdown, string() | {another, string()}}}.
+init(#{url := Url, udp := Udp} = Options) ->
     _ = process_flag(trap_exit, true),
     case replay_lcm_udp:open(Url, Udp) of
+        {error, Line} -> {stop, {shutdown, Line}};
+        {ok, Lcm} -> opened(Lcm, Options)
+    end.
+
+%% To open a long case takes a while, in which another player may have begun.
+opened(Lcm, #{player := Given, url := Url} = Options) ->
+    case replay_player:open(Given, now_us()) of
         {error, Line} ->
-            {stop, {shutdown, Line}};
-        {ok, Lcm} ->
-            case replay_player:open(Given, now_us()) of
-                {error, Line} ->
-                    ok = replay_lcm_udp:close(Lcm),
-                    {stop, {shutdown, Line}};
-                {ok, Out, Player} ->
-                    State = #state{
-                        player = Player, lcm = Lcm, cases = Cases, say = Say, timer = make_ref(),
-                        written_us = now_us()
-                    },
-                    {ok, scheduled(perform(Out, recovered(State)))}
+            refused(Line, Lcm);
+        {ok, Out, Player} ->
+            case replay_neighbour:is_heard(Lcm) of
+                {true, Heard} -> refused({another, replay_neighbour:line(Url)}, Heard);
+                {false, Heard} -> {ok, begun(Out, Player, Heard, Options)}
             end
     end.
+
+refused(Why, Lcm) ->
+    ok = replay_lcm_udp:close(Lcm),
+    {stop, {shutdown, Why}}.
+
+begun(Out, Player, Lcm, #{player := Given, url := Url, say := Say} = Options) ->
+    #{cases := Cases, view := View} = Given,
+    Now = now_us(),
+    State = #state{
+        player = Player, lcm = Lcm, url = Url, cases = Cases, view = View, say = Say,
+        timer = make_ref(),
+        unsure_until = Now + maps:get(unsure_us, Options, ?UNSURE_US), written_us = Now
+    },
+    scheduled(perform(Out, recovered(State))).
 
 now_us() -> erlang:monotonic_time(microsecond).
 
@@ -71,7 +94,8 @@ handle_call(_, _, State) -> {noreply, State}.
 -spec handle_cast(term(), #state{}) -> {noreply, #state{}}.
 handle_cast(_, State) -> {noreply, State}.
 
--spec handle_info(term(), #state{}) -> {noreply, #state{}}.
+-spec handle_info(term(), #state{}) ->
+    {noreply, #state{}} | {stop, {shutdown, {another, string()}}, #state{}}.
 handle_info({timeout, Timer, wake}, #state{timer = Timer, player = Player} = State) ->
     {Out, Next} = replay_player:wake(now_us(), Player),
     {noreply, scheduled(kept_safe(perform(Out, State#state{player = Next})))};
@@ -87,6 +111,8 @@ handle_info(Info, #state{lcm = Lcm} = State) ->
     case replay_lcm_udp:incoming(Info, Lcm) of
         {message, <<"VIZ_CONTROL">>, Payload, From, Next} ->
             {noreply, control(Payload, From, State#state{lcm = Next})};
+        {message, <<"VIZ_STATUS">>, _, From, Next} ->
+            beside(From, State#state{lcm = Next});
         {message, _, _, _, Next} ->
             {noreply, State#state{lcm = Next}};
         {bad, _, _, Next} ->
@@ -95,6 +121,13 @@ handle_info(Info, #state{lcm = Lcm} = State) ->
             {noreply, State#state{lcm = Next}};
         unknown ->
             {noreply, State}
+    end.
+
+%% Whose status it is: its own comes back too.
+beside(From, #state{lcm = Lcm, url = Url, unsure_until = Until} = State) ->
+    case now_us() < Until andalso replay_neighbour:gives_way(From, Lcm, Url) of
+        {true, Line} -> {stop, {shutdown, {another, Line}}, State};
+        false -> {noreply, State}
     end.
 
 control(Payload, {Ip, _} = From, #state{player = Player, say = Say} = State) ->
@@ -123,7 +156,7 @@ terminate(_, #state{player = Player, lcm = Lcm} = State) ->
     replay_lcm_udp:close(Lcm).
 
 perform(Out, State) ->
-    Aside = fun(Dir, Say) -> spawn_link(fun() -> recorded(Dir, Say) end) end,
+    Aside = fun(Dir, Now) -> spawn_link(fun() -> recorded(Dir, Now) end) end,
     lists:foldl(fun(O, S) -> perform_one(O, Aside, S) end, State, Out).
 
 perform_one({publish, {Type, Message}}, _, #state{lcm = Lcm} = State) ->
@@ -135,11 +168,8 @@ perform_one({publish, {Type, Message}}, _, #state{lcm = Lcm} = State) ->
 perform_one({log, Line}, _, #state{say = Say} = State) ->
     _ = Say(Line),
     State;
-perform_one({notice, Line}, _, #state{say = Say} = State) ->
-    _ = Say(Line),
-    noticed(Line, State);
-perform_one({store, Case, Files}, Record, #state{cases = Cases} = State) ->
-    Stored = stored(Case, Files, Record, State),
+perform_one({store, Kept, Files}, Record, #state{cases = Cases} = State) ->
+    Stored = stored(Kept, Files, Record, State),
     Idle = without_writer(Stored),
     ok = replay_unsaved:forget(Cases),
     Idle#state{written = none}.
@@ -149,7 +179,7 @@ recovered(#state{cases = Cases, say = Say} = State) ->
     lists:foreach(
         fun(Dir) ->
             _ = Say("stored a flight whose player was killed as " ++ Dir),
-            spawn_link(fun() -> recorded(Dir, Say) end)
+            spawn_link(fun() -> recorded(Dir, State) end)
         end,
         replay_unsaved:recover(Cases)
     ),
@@ -187,27 +217,21 @@ failed(Line, #state{say = Say} = State) ->
     _ = Say("cannot send: " ++ Line),
     State#state{failure = Line}.
 
-%% The case, what belongs to it, and its recording, which takes a simulator of its own.
-stored(Case, Files, Record, #state{cases = Cases, say = Say} = State) ->
-    case faultcheck_case:write(Cases, Case) of
+%% What belongs to it, and its recording, which takes a simulator of its own.
+stored(Kept, Files, Record, #state{cases = Cases, say = Say} = State) ->
+    case replay_kept:write(Cases, Kept, Files) of
         {ok, Dir} ->
-            _ = [ok = replaced(filename:join(Dir, Name), Text) || {Name, Text} <- Files],
-            _ = Say("stored this flight as " ++ Dir),
-            _ = Record(Dir, Say),
-            noticed("stored the flight as " ++ filename:basename(Dir), State);
+            _ = Say(replay_kept:told(Kept, Dir)),
+            _ = Record(Dir, State),
+            noticed(replay_kept:told(Kept, filename:basename(Dir)), State);
         {error, Line} ->
             _ = Say("the flight cannot be stored: " ++ Line),
             noticed("the flight cannot be stored; the player's terminal says why", State)
     end.
 
-replaced(File, Text) ->
-    New = File ++ ".new",
-    ok = file:write_file(New, Text),
-    file:rename(New, File).
-
-recorded(Dir, Say) ->
+recorded(Dir, #state{view = View, say = Say}) ->
     Result =
-        case replay_source:of_case(Dir, shrunk) of
+        case replay_source:of_case(Dir, shrunk, View) of
             {ok, Source} -> replay_recording:write(Source, filename:join(Dir, "run.lcm"));
             {error, _} = Error -> Error
         end,

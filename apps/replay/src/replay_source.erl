@@ -5,10 +5,10 @@
 %% messages in lcm/*.lcm.
 %%
 %% A model of commands (faultcheck_model) says which module shows its cases by exporting
-%% `view() -> module()'; of_case/2 finds it.
+%% `view() -> module()'; of_case/3 finds it.
 -module(replay_source).
 
--export([of_case/2]).
+-export([of_case/3]).
 -export_type([id/0, t_us/0, object/0, ellipse/0, range/0, fault/0, event/0, world/0, info/0]).
 -export_type([what/0, state/0, ending/0, action/0, source/0]).
 
@@ -36,6 +36,8 @@
     | example
     %% a scenario file, flown live
     | {scenario, file:filename()}
+    %% a folder of a flight that is no case (replay_kept)
+    | {kept, file:filename()}
     | live
     | term().
 -type state() :: term().
@@ -89,13 +91,21 @@
 %% From here on a person flies.
 -callback fork(state()) -> state().
 -callback act(action(), state()) -> {ok, [event()], state()} | {error, string()}.
-%% The flight so far as a case to be stored, and further files of its folder.
--callback store(state()) ->
-    {ok, faultcheck_case:'case'(), [{file:filename(), iodata()}]} | {error, string()}.
+%% The flight so far as something to be stored.
+-callback store(state()) -> {replay_kept:kept(), replay_kept:files()}.
 
-%% @doc Opens a stored case with the source that its model names.
--spec of_case(file:filename(), shrunk | original) -> {ok, source()} | {error, string()}.
-of_case(Dir, Which) ->
+%% @doc Opens a stored case with the source that its model names; a flight that is no case with
+%% View, if there is one.
+-spec of_case(file:filename(), shrunk | original, View :: module() | none) ->
+    {ok, source()} | {error, string()}.
+of_case(Dir, Which, View) ->
+    case replay_kept:is_flight(Dir) of
+        true when View =:= none -> {error, line("~ts: no case, and nothing can show it", [Dir])};
+        true -> opened(View, {kept, Dir});
+        false -> read(Dir, Which)
+    end.
+
+read(Dir, Which) ->
     case faultcheck_case:read(Dir) of
         {ok, Case} -> shown_by(view(maps:get(Which, Case)), Dir, Which);
         {error, _} = Error -> Error
@@ -119,7 +129,10 @@ shown_by({none, _}, Dir, _) ->
 shown_by({Model, none}, Dir, _) ->
     {error, line("~ts: nothing can show it; the model ~ts exports no view/0", [Dir, Model])};
 shown_by({_, View}, Dir, Which) ->
-    case View:open({'case', Dir, Which}) of
+    opened(View, {'case', Dir, Which}).
+
+opened(View, What) ->
+    case View:open(What) of
         {ok, State} -> {ok, {View, State}};
         {error, _} = Error -> Error
     end.

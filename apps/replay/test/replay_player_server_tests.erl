@@ -103,7 +103,7 @@ a_flight_is_stored_when_the_player_ends_test() ->
         {_, L1} = await(frame, fun any/1, L0),
         {#{ok := 1}, L2} = ask(1, <<"set">>, #{text => <<"y">>, args => [2.0]}, L1),
         ok = replay_player_server:stop(Player),
-        {#{text := <<"stored the flight as ", Id/binary>>}, _} =
+        {#{text := <<"stored this flight as ", Id/binary>>}, _} =
             await(event, fun(#{kind := Kind}) -> Kind =:= <<"log">> end, L2),
         ?assert(filelib:is_dir(filename:join(Cases, Id))),
         [Case] = filelib:wildcard(filename:join(Cases, "*/case.json")),

@@ -261,6 +261,31 @@ another_case_is_another_run_test() ->
     {Out, _} = until(2000000, P1),
     ?assertMatch(#{run := 8, t_us := 500000, verdict := 1}, status(Out)).
 
+%% Several pages ask a player that was started again for what they all showed.
+a_case_that_is_played_already_is_not_begun_again_test() ->
+    %% the next status, up to 0.2 s later
+    Then = fun(Now, Verb, Changes, P0) ->
+        {1, "", Out, P1} = ask_at(Now, Verb, Changes, P0),
+        {More, P2} = until(Now + 210000, P1),
+        {status(Out ++ More), P2}
+    end,
+    Load = fun(Now, P) -> Then(Now, <<"load">>, #{text => <<"other">>, args => [0]}, P) end,
+    {_, P0} = opened(moving()),
+    {#{run := 8}, P1} = Load(0, P0),
+    {#{run := 8, t_us := T, paused := 0}, P2} = Load(210000, P1),
+    ?assert(T >= 200000),
+    %% also while it stands
+    {#{t_us := Still}, P3} = Then(420000, <<"pause">>, #{}, P2),
+    {#{run := 8, t_us := Still, paused := 1}, P4} = Load(700000, P3),
+    %% but when it is over
+    {_, P5} = Then(900000, <<"play">>, #{}, P4),
+    {_, P6} = until(2000000, P5),
+    {#{run := 9, t_us := Again, paused := 0}, P7} = Load(2000000, P6),
+    ?assert(Again < 300000),
+    %% and when a person flies it
+    {#{mode := 1}, P8} = Then(2250000, <<"fork">>, #{}, P7),
+    {#{run := 10, mode := 2}, _} = Load(2500000, P8).
+
 %% ---- live -------------------------------------------------------------------------------------
 
 a_replay_is_not_steered_test() ->

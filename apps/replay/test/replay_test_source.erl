@@ -17,6 +17,10 @@ open({moving, Duration, Ending, Recorded}) ->
 open(live) ->
     {ok, Source} = open({moving, unknown, running, unknown}),
     {ok, Source#{live := true}};
+%% Something happens while it is opened.
+open({after_that, Happens, What}) ->
+    _ = Happens(),
+    open(What);
 open({named, "other"}) ->
     open({moving, 500000, passed, passed});
 open(What) ->
@@ -84,7 +88,7 @@ act(Action, _) -> {error, lists:flatten(io_lib:format("cannot ~0tp", [Action]))}
 
 store(_) ->
     Sequence = [[{set, {var, 1}, {call, replay_test_source, go, []}}]],
-    {ok,
+    {
         #{
             module => prop_test, property => prop_test, status => passed, seed => 0, test => none,
             size => none, transport => none, options => [], versions => faultcheck_versions:all(),
