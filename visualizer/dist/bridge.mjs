@@ -27,12 +27,12 @@ import { fileURLToPath } from "node:url";
 import { constants, existsSync, linkSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { randomBytes, timingSafeEqual } from "node:crypto";
 import { dirname, join, sep } from "node:path";
+import { open, readdir, realpath } from "node:fs/promises";
+import { parseArgs } from "node:util";
 import { createSocket } from "node:dgram";
 import { networkInterfaces } from "node:os";
 import { createServer } from "node:http";
 import { pipeline } from "node:stream/promises";
-import { open, readdir, realpath } from "node:fs/promises";
-import { parseArgs } from "node:util";
 // \0rolldown/runtime.js
 var __create = Object.create;
 var __defProp = Object.defineProperty;
@@ -729,6 +729,33 @@ function parseUnicast(text, network) {
 		network
 	};
 }
+var mercatorEdge = 85.0511287798066;
+var longestAttribution = 200;
+function parseTileSet(value) {
+	if (typeof value !== "object" || value === null || Array.isArray(value)) return "expected a JSON object";
+	const { origin, minzoom, maxzoom, attribution = "" } = value;
+	if (!isPlace(origin)) return `origin: expected [longitude, latitude] in degrees, within 180 and ${mercatorEdge}, ${got(origin)}`;
+	if (!isZoom(minzoom, 0)) return `minzoom: expected a whole number from 0 to 30, ${got(minzoom)}`;
+	if (!isZoom(maxzoom, minzoom)) return `maxzoom: expected a whole number from ${minzoom} (minzoom) to 30, ${got(maxzoom)}`;
+	if (typeof attribution !== "string" || !isLine(attribution)) return `attribution: expected one line of at most ${longestAttribution} characters, ${got(attribution)}`;
+	return {
+		origin,
+		minzoom,
+		maxzoom,
+		attribution
+	};
+}
+function isPlace(value) {
+	if (!Array.isArray(value) || value.length !== 2) return false;
+	const [longitude, latitude] = value;
+	return within(longitude, 180) && within(latitude, 85.0511287798066);
+}
+var within = (value, most) => typeof value === "number" && Math.abs(value) <= most;
+var isZoom = (value, least) => Number.isInteger(value) && value >= least && value <= 30;
+var isLine = (text) => text.length <= longestAttribution && !/\p{Cc}/u.test(text);
+function got(value) {
+	return value === void 0 ? "got none" : `got ${JSON.stringify(value).slice(0, 60)}`;
+}
 // codec/protocol.ts
 var subprotocol$1 = "viz.v1";
 var maxRequestBytes = 4096;
@@ -1154,7 +1181,7 @@ var Hub = class {
 		return this.clients.size >= 128;
 	}
 	add(socket) {
-		const { token, journal, group } = this.options;
+		const { token, tiles, journal, group } = this.options;
 		this.named += 1;
 		const client = new Client(socket, `page-${this.named}`, token, journal, {
 			control: (from, request) => {
@@ -1170,6 +1197,7 @@ var Hub = class {
 			token,
 			client: client.name,
 			group,
+			tiles,
 			channels: { ...helloChannels }
 		});
 		for (const message of this.newest.all()) client.forward("", message);
@@ -1201,6 +1229,181 @@ var Hub = class {
 		for (const client of this.clients) client.terminate();
 	}
 };
+// bridge/inside.ts
+async function openInside(folder, path) {
+	try {
+		const inside = await realpath(folder) + sep;
+		const real = await realpath(join(folder, path));
+		if (!real.startsWith(inside)) return "refused";
+		const file = await open(real, constants.O_RDONLY | constants.O_NOFOLLOW | constants.O_NONBLOCK);
+		const found = await file.stat();
+		if (found.isFile()) return {
+			file,
+			size: found.size
+		};
+		await file.close();
+		return "refused";
+	} catch (error) {
+		const { code } = error;
+		return code === "ENOENT" || code === "ENOTDIR" ? "missing" : "refused";
+	}
+}
+// bridge/options.ts
+var UsageError = class extends Error {};
+var usage = `bridge.mjs: passes LCM messages on to web pages, and what pages ask of the player back
+
+  node bridge.mjs [--port 8765] [--bind 127.0.0.1] [--group URL | --udp 127.0.0.1:7667]
+                  [--cases DIR] [--tiles DIR] [--page FILE] [--allow-control --token-file FILE]
+
+  --port N       of the web server, 0 to 65535; 0 takes a free one, and the first line printed names it (8765)
+  --bind ADDR    IPv4 address of the web server (127.0.0.1)
+  --group URL    multicast group: udpm://239.255.76.67:7667?ttl=0 or 239.255.76.67:7667; --lcm-url is the same
+  --udp ADDR     unicast on this address instead; the tools of LCM do not see that
+  --cases DIR    folder of stored cases (cases); /cases lists those with a run.lcm
+  --tiles DIR    folder of map tiles, Z/X/Y.png (or jpg, webp), with a tiles.json; none are ever fetched elsewhere
+  --page FILE    the page to serve (page.html beside this program)
+  --allow-control              pages may control the player, with a token of this file
+  --token-file FILE            shared with the player; whoever comes first makes it
+  --allow-network              take a URL with ttl > 0, and messages of other hosts
+  --insecure-remote-control    take --allow-control together with a --bind that other hosts reach
+
+Exit status: 0 ended by --help or SIGTERM, 2 usage, 3 an address or a file cannot be used, 130 interrupted.`;
+var definition = {
+	port: {
+		type: "string",
+		default: "8765"
+	},
+	bind: {
+		type: "string",
+		default: "127.0.0.1"
+	},
+	group: { type: "string" },
+	"lcm-url": { type: "string" },
+	udp: { type: "string" },
+	cases: {
+		type: "string",
+		default: "cases"
+	},
+	tiles: { type: "string" },
+	page: { type: "string" },
+	"token-file": { type: "string" },
+	"allow-control": {
+		type: "boolean",
+		default: false
+	},
+	"allow-network": {
+		type: "boolean",
+		default: false
+	},
+	"insecure-remote-control": {
+		type: "boolean",
+		default: false
+	},
+	help: {
+		type: "boolean",
+		short: "h",
+		default: false
+	}
+};
+var defaultGroup = "udpm://239.255.76.67:7667?ttl=0&recv_buf_size=2097152";
+function parsed(argv) {
+	try {
+		return parseArgs({
+			args: argv,
+			options: definition,
+			strict: true,
+			allowPositionals: false
+		}).values;
+	} catch (error) {
+		throw new UsageError(firstLine(error));
+	}
+}
+var firstLine = (error) => String(error.message).split("\n")[0] ?? "";
+function wholeNumber(name, text, max) {
+	const value = /^\d{1,9}$/.test(text) ? Number(text) : NaN;
+	if (!(value <= max)) throw new UsageError(`${name}: expected a whole number from 0 to ${max}, got "${text}"`);
+	return value;
+}
+var isLoopback = (address) => /^127\./.test(address);
+function address(text) {
+	const parts = text.split(".");
+	if (!(parts.length === 4 && parts.every((part) => /^\d{1,3}$/.test(part) && Number(part) <= 255))) throw new UsageError(`--bind: expected an IPv4 address, got "${text}"`);
+	return text;
+}
+function chosenGroup(values) {
+	const network = values["allow-network"] ?? false;
+	const url = values.group ?? values["lcm-url"];
+	if (values.udp !== void 0 && url !== void 0) throw new UsageError("--udp and --group: expected one of them, got both");
+	const group = values.udp !== void 0 ? parseUnicast(values.udp, network) : parseGroup(url ?? defaultGroup, network);
+	if (typeof group === "string") throw new UsageError(`${values.udp !== void 0 ? "--udp" : "--group"}: ${group}`);
+	return group;
+}
+function parseOptions(argv) {
+	const values = parsed(argv);
+	if (values.help) return null;
+	const bind = address(values.bind ?? "");
+	const control = values["allow-control"] ?? false;
+	if (control && !isLoopback(bind) && !values["insecure-remote-control"]) throw new UsageError(`--allow-control with --bind ${bind}: other hosts would control; needs --insecure-remote-control`);
+	if (control !== (values["token-file"] !== void 0)) throw new UsageError("--allow-control and --token-file: expected both or none, got one");
+	return {
+		port: wholeNumber("--port", values.port ?? "", 65535),
+		bind,
+		group: chosenGroup(values),
+		cases: values.cases ?? "cases",
+		tiles: values.tiles ?? null,
+		page: values.page ?? null,
+		tokenFile: values["token-file"] ?? null
+	};
+}
+// bridge/tiles.ts
+var types = /* @__PURE__ */ new Map([
+	["png", "image/png"],
+	["jpg", "image/jpeg"],
+	["jpeg", "image/jpeg"],
+	["webp", "image/webp"]
+]);
+function readTileFolder(folder) {
+	const name = join(folder, "tiles.json");
+	const wrong = (line) => new UsageError(`--tiles: ${name}: ${line}`);
+	const value = parsedJson(name, wrong);
+	const set = parseTileSet(value);
+	if (typeof set === "string") throw wrong(set);
+	const { format = "png", scheme = "xyz" } = value;
+	if (typeof format !== "string" || !types.has(format)) throw wrong(`format: expected ${[...types.keys()].join(", ")}, got ${JSON.stringify(format)}`);
+	if (scheme !== "xyz" && scheme !== "tms") throw wrong(`scheme: expected xyz or tms, got ${JSON.stringify(scheme)}`);
+	return {
+		folder,
+		set,
+		extension: format,
+		fromSouth: scheme === "tms"
+	};
+}
+function parsedJson(name, wrong) {
+	let text;
+	try {
+		text = readFileSync(name, "utf8");
+	} catch (error) {
+		throw wrong(`cannot be read (${error.code}); expected a description of the tiles`);
+	}
+	try {
+		return JSON.parse(text);
+	} catch {
+		throw wrong("expected a JSON object, got no JSON");
+	}
+}
+async function openTile({ folder, set, extension, fromSouth }, z, x, y) {
+	const across = 2 ** z;
+	if (z < set.minzoom || z > set.maxzoom || x >= across || y >= across) return "refused";
+	const row = fromSouth ? across - 1 - y : y;
+	const opened = await openInside(folder, join(String(z), String(x), `${row}.${extension}`));
+	if (typeof opened === "string") return opened;
+	if (opened.size <= 4194304) return {
+		...opened,
+		type: types.get(extension) ?? ""
+	};
+	await opened.file.close();
+	return "refused";
+}
 // codec/log.ts
 var maxData = 16777216;
 new TextDecoder("latin1");
@@ -5117,21 +5320,8 @@ var import_websocket_server = /* @__PURE__ */ __toESM(require_websocket_server()
 var logName = "run.lcm";
 async function openCase(folder, id) {
 	if (!caseIdPattern.test(id)) return null;
-	try {
-		const inside = await realpath(folder) + sep;
-		const path = await realpath(join(folder, id, logName));
-		if (!path.startsWith(inside)) return null;
-		const file = await open(path, constants.O_RDONLY | constants.O_NOFOLLOW | constants.O_NONBLOCK);
-		const found = await file.stat();
-		if (found.isFile()) return {
-			file,
-			size: found.size
-		};
-		await file.close();
-		return null;
-	} catch {
-		return null;
-	}
+	const opened = await openInside(folder, join(id, logName));
+	return typeof opened === "string" ? null : opened;
 }
 async function listCases(folder) {
 	const names = await readdir(folder).catch(() => []);
@@ -5178,6 +5368,7 @@ var security = {
 	"Cache-Control": "no-store",
 	"Content-Security-Policy": "frame-ancestors 'none'"
 };
+var tilePath = /^\/tiles\/(0|[1-9]\d{0,9})\/(0|[1-9]\d{0,9})\/(0|[1-9]\d{0,9})$/;
 var inUse = (port) => `port ${port} is in use; choose another: --port N (make visualizer PORT=N)`;
 var Web = class {
 	options;
@@ -5242,21 +5433,33 @@ var Web = class {
 		});
 		if (path === "/cases") return this.json(response, { cases: await listCases(this.options.cases) });
 		const id = /^\/cases\/([^/]*)\.lcm$/.exec(path)?.[1];
-		return id === void 0 ? this.refuse(request, response, 404, "no such path") : this.log(request, response, id);
+		if (id !== void 0) return this.log(request, response, id);
+		const tile = tilePath.exec(path);
+		if (tile && this.options.tiles) return this.tile(request, response, this.options.tiles, tile);
+		return this.refuse(request, response, 404, "no such path");
 	}
 	async log(request, response, id) {
 		const found = await openCase(this.options.cases, id);
 		if (!found) return this.refuse(request, response, 404, "no such case");
-		const headers = {
+		await this.stream(request, response, "application/octet-stream", found);
+	}
+	async tile(request, response, tiles, [, z, x, y]) {
+		const found = await openTile(tiles, Number(z), Number(x), Number(y));
+		if (found === "refused") return this.refuse(request, response, 404, "no such tile");
+		if (found !== "missing") return this.stream(request, response, found.type, found);
+		response.writeHead(204, security);
+		response.end();
+	}
+	async stream({ method }, response, type, { file, size }) {
+		response.writeHead(200, {
 			...security,
-			"Content-Type": "application/octet-stream",
-			"Content-Length": found.size
-		};
-		response.writeHead(200, headers);
-		if (request.method === "HEAD" || found.size === 0) {
-			await found.file.close();
+			"Content-Type": type,
+			"Content-Length": size
+		});
+		if (method === "HEAD" || size === 0) {
+			await file.close();
 			response.end();
-		} else await pipeline(found.file.createReadStream({ end: found.size - 1 }), response);
+		} else await pipeline(file.createReadStream({ end: size - 1 }), response);
 	}
 	json(response, value) {
 		this.send(response, "application/json", Buffer.from(JSON.stringify(value)));
@@ -5329,9 +5532,11 @@ var Bridge = class {
 		this.token = options.tokenFile === null ? null : sharedToken(options.tokenFile);
 		const page = readFileSync(pageFile);
 		const { group, port, bind, cases } = options;
+		const tiles = options.tiles === null ? null : readTileFolder(options.tiles);
 		this.hub = new Hub({
 			group: groupName(group),
 			token: this.token,
+			tiles: tiles?.set ?? null,
 			journal,
 			control: (client, request) => this.control(client, request)
 		});
@@ -5340,6 +5545,7 @@ var Bridge = class {
 			port,
 			bind,
 			cases,
+			tiles,
 			page,
 			hub: this.hub,
 			journal
@@ -5418,110 +5624,6 @@ var Journal = class {
 		}
 	}
 };
-// bridge/options.ts
-var UsageError = class extends Error {};
-var usage = `bridge.mjs: passes LCM messages on to web pages, and what pages ask of the player back
-
-  node bridge.mjs [--port 8765] [--bind 127.0.0.1] [--group URL | --udp 127.0.0.1:7667]
-                  [--cases DIR] [--page FILE] [--allow-control --token-file FILE]
-
-  --port N       of the web server, 0 to 65535; 0 takes a free one, and the first line printed names it (8765)
-  --bind ADDR    IPv4 address of the web server (127.0.0.1)
-  --group URL    multicast group: udpm://239.255.76.67:7667?ttl=0 or 239.255.76.67:7667; --lcm-url is the same
-  --udp ADDR     unicast on this address instead; the tools of LCM do not see that
-  --cases DIR    folder of stored cases (cases); /cases lists those with a run.lcm
-  --page FILE    the page to serve (page.html beside this program)
-  --allow-control              pages may control the player, with a token of this file
-  --token-file FILE            shared with the player; whoever comes first makes it
-  --allow-network              take a URL with ttl > 0, and messages of other hosts
-  --insecure-remote-control    take --allow-control together with a --bind that other hosts reach
-
-Exit status: 0 ended by --help or SIGTERM, 2 usage, 3 an address or a file cannot be used, 130 interrupted.`;
-var definition = {
-	port: {
-		type: "string",
-		default: "8765"
-	},
-	bind: {
-		type: "string",
-		default: "127.0.0.1"
-	},
-	group: { type: "string" },
-	"lcm-url": { type: "string" },
-	udp: { type: "string" },
-	cases: {
-		type: "string",
-		default: "cases"
-	},
-	page: { type: "string" },
-	"token-file": { type: "string" },
-	"allow-control": {
-		type: "boolean",
-		default: false
-	},
-	"allow-network": {
-		type: "boolean",
-		default: false
-	},
-	"insecure-remote-control": {
-		type: "boolean",
-		default: false
-	},
-	help: {
-		type: "boolean",
-		short: "h",
-		default: false
-	}
-};
-var defaultGroup = "udpm://239.255.76.67:7667?ttl=0&recv_buf_size=2097152";
-function parsed(argv) {
-	try {
-		return parseArgs({
-			args: argv,
-			options: definition,
-			strict: true,
-			allowPositionals: false
-		}).values;
-	} catch (error) {
-		throw new UsageError(firstLine(error));
-	}
-}
-var firstLine = (error) => String(error.message).split("\n")[0] ?? "";
-function wholeNumber(name, text, max) {
-	const value = /^\d{1,9}$/.test(text) ? Number(text) : NaN;
-	if (!(value <= max)) throw new UsageError(`${name}: expected a whole number from 0 to ${max}, got "${text}"`);
-	return value;
-}
-var isLoopback = (address) => /^127\./.test(address);
-function address(text) {
-	const parts = text.split(".");
-	if (!(parts.length === 4 && parts.every((part) => /^\d{1,3}$/.test(part) && Number(part) <= 255))) throw new UsageError(`--bind: expected an IPv4 address, got "${text}"`);
-	return text;
-}
-function chosenGroup(values) {
-	const network = values["allow-network"] ?? false;
-	const url = values.group ?? values["lcm-url"];
-	if (values.udp !== void 0 && url !== void 0) throw new UsageError("--udp and --group: expected one of them, got both");
-	const group = values.udp !== void 0 ? parseUnicast(values.udp, network) : parseGroup(url ?? defaultGroup, network);
-	if (typeof group === "string") throw new UsageError(`${values.udp !== void 0 ? "--udp" : "--group"}: ${group}`);
-	return group;
-}
-function parseOptions(argv) {
-	const values = parsed(argv);
-	if (values.help) return null;
-	const bind = address(values.bind ?? "");
-	const control = values["allow-control"] ?? false;
-	if (control && !isLoopback(bind) && !values["insecure-remote-control"]) throw new UsageError(`--allow-control with --bind ${bind}: other hosts would control; needs --insecure-remote-control`);
-	if (control !== (values["token-file"] !== void 0)) throw new UsageError("--allow-control and --token-file: expected both or none, got one");
-	return {
-		port: wholeNumber("--port", values.port ?? "", 65535),
-		bind,
-		group: chosenGroup(values),
-		cases: values.cases ?? "cases",
-		page: values.page ?? null,
-		tokenFile: values["token-file"] ?? null
-	};
-}
 // bridge/main.ts
 var exitUsage = 2;
 var exitCannot = 3;
