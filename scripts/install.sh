@@ -25,13 +25,14 @@ install_app() { # install_app BUILT_DIR NAME
     if [ -d "$1/$part" ]; then cp -rL "$1/$part" "$to/"; fi
   done
 }
-for app in c_bridge faultcheck eqc_compat replay; do
+for app in c_bridge faultcheck eqc_compat replay copter_eqc; do
   install_app "_build/default/lib/$app" "$app"
 done
 install_app _build/default/checkouts/rebar3_faultcheck rebar3_faultcheck
-# Reports are this page with a recording in it.
+# Reports are this page with a recording in it; the bridge serves it. A clone may not have them built.
 if [ -f visualizer/dist/page.html ]; then
   install -D -m 644 visualizer/dist/page.html "$prefix/lib/faultcheck/replay-$version/priv/page.html"
+  install -D -m 644 -t "$prefix/share/faultcheck/visualizer" visualizer/dist/page.html visualizer/dist/bridge.mjs
 fi
 
 install -D -m 755 bin/faultcheck "$prefix/bin/faultcheck"

@@ -54,6 +54,22 @@ check "rebar3 proper finds it too" exits 1 'prop_' \
   'cd mine && ERL_LIBS='"$here"'/moved/lib/faultcheck rebar3 proper'
 check "an unknown command is one line" exits 2 'nonsense' 'faultcheck nonsense'
 
+# play OPTIONS: begins, tells where to, and is ended.
+play() {
+  exits 0 '^play: sends to 127.0.0.1:7999' \
+    'mkdir -p empty && cd empty && exec 3< <(exec faultcheck play --paused --udp 127.0.0.1:7999 '"$1"' 2>&1) && player=$!
+     read -r line <&3; echo "$line"; kill $player; wait $player || true'
+}
+check "the player plays its example in an empty folder" play ''
+check "and a live flight" play --live
+check "a case that is not there is one line" exits 2 '^play: no case nosuch' 'faultcheck play nosuch 2>&1'
+check "play, report and export tell their usage" exits 0 '^Usage: faultcheck export' \
+  'faultcheck play --help && faultcheck report --help && faultcheck export --help'
+if [ -f "$root/visualizer/dist/bridge.mjs" ] && command -v node >/dev/null; then
+  check "the bridge comes along" exits 0 'page.html beside' \
+    'node '"$here"'/moved/share/faultcheck/visualizer/bridge.mjs --help'
+fi
+
 # Each C library: versioned, and it exports just what its headers declare.
 versioned() { # versioned LIB: libX.so -> libX.so.MAJOR -> libX.so.VERSION, and programs ask for libX.so.MAJOR
   local lib="$here/moved/lib/$1" version major
