@@ -30,7 +30,7 @@ const region = (name: string, x: number, y: number, width: number, height: numbe
 // Of the map, where no letters are drawn but those of faults and distances, one cell of 5900; over it lie a line of text
 // and buttons as wide as their letters.
 export const regions: readonly Region[] = [
-  region('header', 0, 0, 1440, 44),
+  region('header', 0, 0, 1440, 44, 0.06),
   region('commands', 0, 44, 268, 456),
   region('shrinking', 0, 500, 268, 176),
   region('layers', 0, 676, 268, 224),
@@ -48,7 +48,7 @@ export const regions: readonly Region[] = [
 export interface Comparison {
   readonly unlike: readonly string[]; // names of regions
   readonly shares: string; // how much of each region is unlike, in a line
-  readonly marked: Picture; // what was seen, pale, with the unlike cells in red
+  marked(): Picture; // what was seen, pale, with the unlike cells in red
 }
 
 // `scale` is how many pixels of each picture make a CSS pixel.
@@ -62,7 +62,7 @@ export function compare(wanted: Scaled, seen: Scaled): Comparison {
   return {
     unlike: told.filter(({ share, most }) => share > most).map(({ name }) => name),
     shares: told.map(({ name, share }) => `${name} ${(100 * share).toFixed(2)} %`).join(', '),
-    marked: marked(seen, differs, a.width),
+    marked: () => marked(seen, differs, a.width),
   };
 }
 
@@ -76,11 +76,11 @@ export function shrunk({ width, height, channels, bytes }: Picture, by: number):
   const [w, h] = [Math.floor(width / by), Math.floor(height / by)];
   const sums = new Float64Array(w * h * 3);
   for (let y = 0; y < h * by; y++)
-    for (let x = 0; x < w * by; x++)
-      for (let k = 0; k < 3; k++) {
-        const at = (Math.floor(y / by) * w + Math.floor(x / by)) * 3 + k;
-        sums[at] = (sums[at] ?? 0) + (bytes[(y * width + x) * channels + k] ?? 0);
-      }
+    for (let x = 0; x < w * by; x++) {
+      const from = (y * width + x) * channels;
+      const to = (Math.floor(y / by) * w + Math.floor(x / by)) * 3;
+      for (let k = 0; k < 3; k++) sums[to + k] = (sums[to + k] ?? 0) + (bytes[from + k] ?? 0);
+    }
   return {
     width: w,
     height: h,
