@@ -57,7 +57,8 @@ check "an unknown command is one line" exits 2 'nonsense' 'faultcheck nonsense'
 # play OPTIONS: begins, tells where to, and is ended.
 play() {
   exits 0 '^play: sends to 127.0.0.1:7999' \
-    'mkdir -p empty && cd empty && exec 3< <(exec faultcheck play --paused --udp 127.0.0.1:7999 '"$1"' 2>&1) && player=$!
+    'mkdir -p empty && cd empty
+     exec 3< <(exec faultcheck play --paused --udp 127.0.0.1:7999 '"$1"' 2>&1) && player=$!
      read -r line <&3; echo "$line"; kill $player; wait $player || true'
 }
 check "the player plays its example in an empty folder" play ''
