@@ -4,7 +4,7 @@
 %% through the same limits as the model's.
 -module(copter_hand).
 
--export([calls/3]).
+-export([calls/3, why_wrong/3]).
 -export_type([hands/0]).
 
 %% What is asked of copters that are steered: tenths of degrees, and of degrees/s.
@@ -118,7 +118,7 @@ injected(#{<<"probe">> := Probe, <<"model">> := Model} = Json, Copters, Hands) w
             Error;
         {[], Where, Trigger} when is_map(Params) ->
             Sorted = lists:sort(maps:to_list(Params)),
-            case [Why || {Name, V} <- Sorted, Why <- wrong(Model, Name, V)] of
+            case [Why || {Name, V} <- Sorted, Why <- why_wrong(Model, Name, V)] of
                 [] -> {ok, [{fly_inject, [Where, Model, Sorted, Trigger, none]}], Hands};
                 [Why | _] -> {error, "inject: " ++ Why}
             end;
@@ -128,12 +128,13 @@ injected(#{<<"probe">> := Probe, <<"model">> := Model} = Json, Copters, Hands) w
 injected(_, _, _) ->
     {error, "inject: \"probe\" and \"model\" are needed, both texts"}.
 
-%% What libfaultcheck does not refuse itself.
-wrong(_, Name, V) when not (is_number(V) orelse is_binary(V)) ->
+%% @doc What libfaultcheck does not refuse itself of a parameter of a model: nothing, or one line.
+-spec why_wrong(Model :: binary(), Name :: binary(), faultcheck_json:decoded()) -> [string()].
+why_wrong(_, Name, V) when not (is_number(V) orelse is_binary(V)) ->
     [line("~ts must be a number or a text", [Name])];
-wrong(<<"repeat">>, Name, V) when V > ?MOST_COPIES -> too_many(Name, ?MOST_COPIES);
-wrong(<<"extend">>, Name, V) when V > ?MOST_ADDED_BYTES -> too_many(Name, ?MOST_ADDED_BYTES);
-wrong(_, _, _) -> [].
+why_wrong(<<"repeat">>, Name, V) when V > ?MOST_COPIES -> too_many(Name, ?MOST_COPIES);
+why_wrong(<<"extend">>, Name, V) when V > ?MOST_ADDED_BYTES -> too_many(Name, ?MOST_ADDED_BYTES);
+why_wrong(_, _, _) -> [].
 
 too_many(Name, Most) -> [line("~ts: ~b are the most", [Name, Most])].
 

@@ -114,7 +114,7 @@ scenario(Json) ->
     Events = [
         {up(T, Dt), Call}
      || #{<<"t_us">> := T} = Event <- by_time(maps:get(<<"events">>, Json, [])),
-        Call <- event(Event)
+        Call <- event(without_comments(Event), up(T, Dt) - T)
     ],
     Calls = [{0, Call} || Call <- Placed] ++ Events,
     #{
@@ -131,6 +131,10 @@ numbers(List) -> lists:seq(0, length(List) - 1).
 
 is_origin(<<"x_", _/binary>>) -> true;
 is_origin(_) -> false.
+
+without_comments(Event) -> maps:filter(fun(Key, _) -> not is_comment(Key) end, Event).
+
+is_comment(Key) -> is_origin(Key) orelse Key =:= <<"class">> orelse Key =:= <<"description">>.
 
 %% Those of the same time in their order.
 by_time(Events) ->
@@ -185,35 +189,36 @@ placed(#{<<"id">> := Id, <<"pos">> := [X, Y]} = Copter) ->
 
 gains(Id, Gains) -> [{fly_set, [Id, Name, V]} || {Name, V} <- maps:to_list(named(Gains))].
 
-event(#{<<"type">> := <<"command">>, <<"copter">> := Id} = Event) ->
+%% Late: us from the time of the event to the step that it acts on.
+event(#{<<"type">> := <<"command">>, <<"copter">> := Id} = Event, _) ->
     [Roll, Pitch, Yaw] = [
         float(maps:get(K, Event, 0.0)) || K <- [<<"roll">>, <<"pitch">>, <<"yaw">>]
     ],
     [{fly_command, [Id, Roll, Pitch, Yaw]}];
-event(#{<<"type">> := <<"gains">>} = Event) ->
+event(#{<<"type">> := <<"gains">>} = Event, _) ->
     Id = maps:get(<<"copter">>, Event, all),
     gains(Id, maps:without([<<"type">>, <<"copter">>, <<"t_us">>], Event));
-event(#{<<"type">> := <<"fault">>, <<"probe">> := Probe} = Event) ->
-    [armed({probe, Probe}, maps:remove(<<"probe">>, Event))];
-event(#{<<"type">> := <<"packet_fault">>, <<"channel">> := Channel} = Event) ->
-    [armed({channel, Channel}, maps:remove(<<"channel">>, Event))];
-event(#{<<"type">> := <<"clear_faults">>, <<"probe">> := Probe}) ->
+event(#{<<"type">> := <<"fault">>, <<"probe">> := Probe} = Event, Late) ->
+    [armed({probe, Probe}, maps:remove(<<"probe">>, Event), Late)];
+event(#{<<"type">> := <<"packet_fault">>, <<"channel">> := Channel} = Event, Late) ->
+    [armed({channel, Channel}, maps:remove(<<"channel">>, Event), Late)];
+event(#{<<"type">> := <<"clear_faults">>, <<"probe">> := Probe}, _) ->
     [{fly_clear, [{probe, Probe}]}];
-event(#{<<"type">> := <<"clear_faults">>, <<"channel">> := Channel}) ->
+event(#{<<"type">> := <<"clear_faults">>, <<"channel">> := Channel}, _) ->
     [{fly_clear, [{channel, Channel}]}];
-event(#{<<"type">> := <<"clear_faults">>}) ->
+event(#{<<"type">> := <<"clear_faults">>}, _) ->
     [{fault_clear, []}];
-event(#{<<"type">> := <<"params">>} = Event) ->
+event(#{<<"type">> := <<"params">>} = Event, _) ->
     gains(all, maps:without([<<"type">>, <<"t_us">>], Event));
-event(#{<<"type">> := <<"add_copter">>} = Event) ->
+event(#{<<"type">> := <<"add_copter">>} = Event, _) ->
     placed(maps:without([<<"type">>, <<"t_us">>], Event));
-event(#{<<"type">> := <<"remove_copter">>, <<"id">> := Id}) ->
+event(#{<<"type">> := <<"remove_copter">>, <<"id">> := Id}, _) ->
     [{fly_remove, [Id]}];
-event(#{<<"type">> := Type}) ->
+event(#{<<"type">> := Type}, _) ->
     throw({bad, line("events of type ~ts cannot be shown", [Type])}).
 
 %% Parameters are members of the event, or of its member `params'.
-armed(Where, #{<<"model">> := Model} = Event) ->
+armed(Where, #{<<"model">> := Model} = Event, Late) ->
     Others = maps:without([<<"type">>, <<"t_us">>, <<"model">>, <<"params">>], Event),
     When = maps:with(
         [<<"duration_us">>, <<"delay_us">>, <<"from_calls">>, <<"for_calls">>, <<"seed">>]
@@ -221,23 +226,40 @@ armed(Where, #{<<"model">> := Model} = Event) ->
         Others
     ),
     Beside = maps:without(maps:keys(When), Others),
-    Parameters = lists:sort(maps:to_list(maps:merge(Beside, maps:get(<<"params">>, Event, #{})))),
-    {fly_inject, [Where, Model, Parameters, trigger(When), maps:get(<<"seed">>, When, none)]}.
+    Own = without_comments(maps:get(<<"params">>, Event, #{})),
+    Parameters = lists:sort(maps:to_list(Beside) ++ maps:to_list(Own)),
+    Bad = [Why || {Name, V} <- Parameters, Why <- copter_hand:why_wrong(Model, Name, V)],
+    _ = [throw({bad, line("~ts: ~ts", [element(2, Where), Why])}) || Why <- Bad],
+    Trigger = trigger(When, Late),
+    {fly_inject, [Where, Model, Parameters, Trigger, maps:get(<<"seed">>, When, none)]}.
 
 %% Those models have a parameter of this name.
 has_probability(Model) -> lists:member(Model, [<<"dropout">>, <<"spike">>]).
 
-trigger(When) ->
-    window(When) ++
+trigger(When, Late) ->
+    Time = maps:with([<<"delay_us">>, <<"duration_us">>], When),
+    Calls = maps:with([<<"from_calls">>, <<"for_calls">>], When),
+    _ = [
+        throw({bad, line("~ts: a whole number from 0 up expected", [Key])})
+     || {Key, V} <- maps:to_list(maps:merge(Time, Calls)), not (is_integer(V) andalso V >= 0)
+    ],
+    map_size(Time) > 0 andalso map_size(Calls) > 0 andalso
+        throw({bad, "either delay_us and duration_us, or from_calls and for_calls"}),
+    window(Time, Late) ++
         [{random, P} || {ok, P} <- [maps:find(<<"probability">>, When)]] ++
-        [{from, N} || {ok, N} <- [maps:find(<<"from_calls">>, When)]] ++
-        [{for, N} || {ok, N} <- [maps:find(<<"for_calls">>, When)]].
+        [{from, N} || {ok, N} <- [maps:find(<<"from_calls">>, Calls)]] ++
+        [{for, N} || {ok, N} <- [maps:find(<<"for_calls">>, Calls)]].
 
-window(When) ->
-    Delay = maps:get(<<"delay_us">>, When, 0) * ?NS_PER_US,
-    case When of
-        #{<<"duration_us">> := Duration} -> [{time, Delay, Duration * ?NS_PER_US}];
-        _ -> [{time, Delay, forever} || Delay > 0]
+%% Counted from the time of the event, which may be between two steps.
+window(Time, Late) ->
+    Delay = maps:get(<<"delay_us">>, Time, 0),
+    From = max(Delay, Late),
+    case Time of
+        #{<<"duration_us">> := Duration} ->
+            To = max(Delay + Duration, From),
+            [{time, (From - Late) * ?NS_PER_US, (To - From) * ?NS_PER_US}];
+        _ ->
+            [{time, (From - Late) * ?NS_PER_US, forever} || Delay > 0]
     end.
 
 line(Format, Args) -> lists:flatten(io_lib:format(Format, Args)).

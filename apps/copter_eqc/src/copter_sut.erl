@@ -332,8 +332,9 @@ collisions() ->
 kind('CSIM_TERRAIN') -> terrain;
 kind('CSIM_COPTER') -> copter.
 
-%% @doc A parameter or gain, of all copters.
--spec set(atom(), number()) -> ok.
+%% @doc A parameter or gain, of all copters; a choice may have its name.
+-spec set(atom(), number() | binary()) -> ok.
+set(Name, Choice) when is_binary(Choice) -> one(csim_set_text, [atom_to_binary(Name), Choice]);
 set(Name, Value) -> one(csim_set, [atom_to_binary(Name), float(Value)]).
 
 %% @doc A gain of one copter.

@@ -333,7 +333,12 @@ is_kept_and_played_again(Dt) ->
         {_, Begun} = copter_view:start(View),
         {_, Ended} = copter_view:advance(60000000, Begun),
         ?assertEqual({T, passed}, {copter_view:now(Ended), copter_view:ending(Ended)}),
-        ?assert(Flown =:= [copter_sut:bits(V) || V <- [true, perceived]])
+        ?assert(Flown =:= [copter_sut:bits(V) || V <- [true, perceived]]),
+        %% and again by the program
+        Trace = copter_test_scenario:run(filename:join(Dir, "scenario.json"), T),
+        ?assertMatch(#{<<"end_t_us">> := T}, Trace),
+        ?assertEqual(copter_test_scenario:compared({run, safe}),
+                     copter_test_scenario:compared({trace, Trace}))
     end).
 
 a_flight_in_a_world_of_its_own_is_kept_test() -> is_kept_and_played_again(5000).

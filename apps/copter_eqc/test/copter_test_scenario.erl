@@ -1,7 +1,7 @@
 %% @doc For tests: a sequence flown by coptersim_run, and other programs of the simulator.
 -module(copter_test_scenario).
 
--export([fly/2, compared/1, program/1, output_of/2]).
+-export([fly/2, run/2, compared/1, program/1, output_of/2]).
 
 %% @doc The trace of the sequence's scenario, decoded; states are recorded at its beginning and end.
 -spec fly(copter_options:options(), [faultcheck_generator:command()]) -> faultcheck_json:decoded().
@@ -10,12 +10,15 @@ fly(Options, Commands) ->
     {object, Members} = Scenario = copter_scenario:from_commands(Commands, Options, [{name, test}]),
     ok = file:write_file(File, faultcheck_json:pretty(Scenario)),
     try
-        run(File, "record_every_us=" ++ integer_to_list(proplists:get_value(duration_us, Members)))
+        run(File, proplists:get_value(duration_us, Members))
     after
         file:delete(File)
     end.
 
-run(File, Setting) ->
+%% @doc The trace of a scenario, decoded; states are recorded at its beginning and after so long.
+-spec run(file:filename(), Duration_us :: pos_integer()) -> faultcheck_json:decoded().
+run(File, Duration) ->
+    Setting = "record_every_us=" ++ integer_to_list(Duration),
     Text = output_of(program("coptersim_run"), ["--set", Setting, File]),
     {ok, Trace} = faultcheck_json:decode(Text),
     Trace.

@@ -32,6 +32,15 @@ struct words {
     std::string operator()(const csim_scenario::change_gains &) const {
         return "gains change";
     }
+    std::string operator()(const csim_scenario::change_params &change) const {
+        std::string text = "set";
+        for (const csim_scenario::setting &p : change.settings) {
+            char number[40];
+            std::snprintf(number, sizeof number, "%g", p.value);
+            text += " " + p.name + " " + number;
+        }
+        return text;
+    }
     std::string operator()(const csim_scenario::fault &f) const {
         std::string text = "fault " + f.model + " on " + f.id;
         for (const csim_scenario::fault_argument &a : f.arguments) {

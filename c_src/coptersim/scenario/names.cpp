@@ -1,5 +1,7 @@
 /* names.cpp: gains and members of states by name. */
-#include "scenario.hpp"
+#include "parts.hpp"
+
+#include <algorithm>
 
 namespace csim_scenario {
 
@@ -29,6 +31,11 @@ const std::array<state_name, set_state::count> state_names = {{
     {"e_r", &csim_state::e_r},
     {"e_p", &csim_state::e_p},
 }};
+
+bool is_gain(const std::string &name) {
+    return std::any_of(gain_names.begin(), gain_names.end(),
+                       [&name](const gain_name &gain) { return name == gain.name; });
+}
 
 bool gains_change::empty() const {
     for (const std::optional<double> &value : values) {

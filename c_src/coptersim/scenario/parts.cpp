@@ -158,6 +158,19 @@ void forget_gain(scenario &s, std::size_t index) {
     }
 }
 
+/* Nobody says anything about parameters that are picked any more. */
+template <class Pick> void forget_settings(scenario &s, Pick pick) {
+    auto forget = [pick](std::vector<setting> &settings) {
+        settings.erase(std::remove_if(settings.begin(), settings.end(), pick), settings.end());
+    };
+    forget(s.settings);
+    for (event &e : s.events) {
+        if (change_params *change = std::get_if<change_params>(&e.what)) {
+            forget(change->settings);
+        }
+    }
+}
+
 bool override_configuration(scenario &s, const std::string &name, const node &value) {
     if (name != "configuration") {
         return false;
@@ -166,11 +179,9 @@ bool override_configuration(scenario &s, const std::string &name, const node &va
     for (std::size_t i = 0; i < gain_count; i++) {
         forget_gain(s, i);
     }
-    auto of_params = [](const setting &p) {
+    forget_settings(s, [](const setting &p) {
         return p.name != "altitude" && p.name != "integrator" && p.name != "halt_on_collision";
-    };
-    s.settings.erase(std::remove_if(s.settings.begin(), s.settings.end(), of_params),
-                     s.settings.end());
+    });
     return true;
 }
 
@@ -218,7 +229,9 @@ bool override_setting(scenario &s, const std::string &assignment, std::string &e
         node value = value_of(assignment.substr(equals + 1));
         if (!override_configuration(s, name, value) && !override_gain(s, name, value) &&
             !override_time(s, name, value)) {
-            s.settings.push_back(read_setting(name, value, name));
+            setting given = read_setting(name, value, name);
+            forget_settings(s, [&name](const setting &p) { return p.name == name; });
+            s.settings.push_back(given);
         }
         return true;
     } catch (const located_error &e) {

@@ -23,11 +23,21 @@ std::string read_configuration(const node &value, const std::string &where);
 
 copter read_copter(members &m);
 
-/* The event at events[index], checked against what the library knows of faults. */
+/* Whether it is the name of a member of csim_gains. */
+bool is_gain(const std::string &name);
+
+/* The rest of an event that arms a fault, checked against what the library knows of faults; and of
+ * one that clears faults. */
+fault read_fault(members &m, bool of_channel, const std::string &where);
+clear_faults read_clear_faults(members &m);
+
+/* The event at events[index]. */
 event read_event(const node &value, const std::string &where);
 
-/* Arms a fault in a context; a fault id, or an FC_E_ code with fc_last_error_text. */
-fc_fault_id arm_fault(fc_context *context, const fault &f);
+/* Arms a fault in a context at the simulated time now_us, for an event at t_us; a fault id, or an
+ * FC_E_ code with fc_last_error_text. */
+fc_fault_id arm_fault(fc_context *context, const fault &f, std::uint64_t t_us,
+                      std::uint64_t now_us);
 
 } // namespace csim_scenario
 

@@ -105,21 +105,17 @@ bool player::act_due() {
     return good();
 }
 
-/* The time of the first event or end of a fault that is still to come. */
+/* The time of the first event that is still to come. */
 std::uint64_t player::next_change() const {
     std::uint64_t next = UINT64_MAX - scenario_.dt_us;
     if (next_event_ < scenario_.events.size()) {
         next = scenario_.events[next_event_].t_us;
-    }
-    for (const armed &a : armed_) {
-        next = std::min(next, a.end_us);
     }
     return next;
 }
 
 void player::act_now() {
     std::uint64_t now = time();
-    remove_ended_faults();
     while (good() && next_event_ < scenario_.events.size() &&
            scenario_.events[next_event_].t_us <= now) {
         const event &e = scenario_.events[next_event_++];
@@ -128,22 +124,6 @@ void player::act_now() {
         }
         std::visit([this](const auto &what) { act(what); }, e.what);
     }
-    remove_ended_faults(); /* those of no duration, or whose time passed between two steps */
-}
-
-void player::remove_ended_faults() {
-    std::uint64_t now = time();
-    auto ended = [this, now](const armed &a) {
-        if (a.end_us > now) {
-            return false;
-        }
-        if (on_end) {
-            on_end(a.id);
-        }
-        fc_remove(csim_faults(sim_), a.id);
-        return true;
-    };
-    armed_.erase(std::remove_if(armed_.begin(), armed_.end(), ended), armed_.end());
 }
 
 void player::act(const command &c) {
@@ -173,24 +153,25 @@ void player::act(const change_gains &change) {
     }
 }
 
+void player::act(const change_params &change) {
+    for (const setting &p : change.settings) {
+        check(csim_set(sim_, p.name.c_str(), p.value), p.name.c_str());
+    }
+}
+
 void player::act(const fault &f) {
-    fc_fault_id id = arm_fault(csim_faults(sim_), f);
+    const event &e = scenario_.events[next_event_ - 1];
+    fc_fault_id id = arm_fault(csim_faults(sim_), f, e.t_us, time());
     if (id <= 0) {
         error_ = "fault on " + f.id + ": " + fc_last_error_text();
-        return;
-    }
-    if (on_armed) {
-        on_armed(f, id);
-    }
-    if (f.duration_us) {
-        armed_.push_back({scenario_.events[next_event_ - 1].t_us + *f.duration_us, id, &f});
+    } else if (on_armed) {
+        on_armed(e, f, id);
     }
 }
 
 void player::act(const clear_faults &c) {
     fc_context *context = csim_faults(sim_);
-    bool all = !c.probe && !c.channel;
-    if (all) {
+    if (!c.probe && !c.channel) {
         fc_remove_all_probe_faults(context);
         fc_channel_remove_all_faults(context);
     }
@@ -200,11 +181,6 @@ void player::act(const clear_faults &c) {
     if (c.channel) {
         fc_channel_remove_faults(context, c.channel->c_str());
     }
-    auto gone = [&](const armed &a) {
-        const std::optional<std::string> &name = a.what->of_channel ? c.channel : c.probe;
-        return all || (name && *name == a.what->id);
-    };
-    armed_.erase(std::remove_if(armed_.begin(), armed_.end(), gone), armed_.end());
 }
 
 void player::act(const copter &c) {

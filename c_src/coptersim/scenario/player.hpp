@@ -46,26 +46,19 @@ class player {
     std::function<void(std::int32_t id)> on_remove;
     /* Called before an event acts. */
     std::function<void(const event &e)> on_event;
-    /* Called when a fault has been armed, and before one goes at the end of its duration. */
-    std::function<void(const fault &f, fc_fault_id id)> on_armed;
-    std::function<void(fc_fault_id id)> on_end;
+    /* Called when the fault of an event has been armed. */
+    std::function<void(const event &e, const fault &f, fc_fault_id id)> on_armed;
 
   private:
-    struct armed {
-        std::uint64_t end_us;
-        fc_fault_id id;
-        const fault *what;
-    };
-
     bool check(int status, const char *what);
     void set_up();
     void set_up_copter(const copter &c);
     void act_now();
-    void remove_ended_faults();
     std::uint64_t next_change() const;
 
     void act(const command &c);
     void act(const change_gains &c);
+    void act(const change_params &c);
     void act(const fault &f);
     void act(const clear_faults &c);
     void act(const copter &c);
@@ -77,7 +70,6 @@ class player {
     std::string error_;
     csim_gains gains_; /* of copters that say nothing else */
     std::size_t next_event_ = 0;
-    std::vector<armed> armed_; /* faults with a duration */
 };
 
 } // namespace csim_scenario

@@ -78,11 +78,6 @@ void read_copters(const node &array, scenario &s) {
     }
 }
 
-bool is_gain(const std::string &name) {
-    return std::any_of(gain_names.begin(), gain_names.end(),
-                       [&name](const gain_name &gain) { return name == gain.name; });
-}
-
 void read_settings(members &top, scenario &s) {
     for (const char *name : {"altitude", "integrator", "halt_on_collision"}) {
         const node *value = top.find(name);

@@ -72,6 +72,11 @@ struct change_gains {
     gains_change gains;
 };
 
+/* Parameters that are no gains. */
+struct change_params {
+    std::vector<setting> settings;
+};
+
 /* An argument of a fault model, as fc_argument. */
 struct fault_argument {
     std::string name;
@@ -86,8 +91,20 @@ struct fault {
     std::vector<fault_argument> arguments;
     std::optional<double> probability; /* of each affected call */
     std::optional<std::uint64_t> seed; /* of its own random stream */
+    /* A window in time, or in calls: delay or duration only without from and for. */
+    std::uint64_t delay_us = 0;
     std::optional<std::uint64_t> duration_us;
+    std::optional<std::uint64_t> from_calls; /* so many calls are spared first */
+    std::optional<std::uint64_t> for_calls;  /* so many calls are affected */
 };
+
+/* Simulated times between which a fault may act; no end: for ever. */
+struct window {
+    std::uint64_t from_us;
+    std::optional<std::uint64_t> to_us;
+};
+/* The window of a fault that is armed at now_us, for an event at t_us. */
+window window_of(const fault &f, std::uint64_t t_us, std::uint64_t now_us);
 
 struct clear_faults {
     std::optional<std::string> probe, channel; /* neither: all */
@@ -113,7 +130,9 @@ extern const std::array<state_name, set_state::count> state_names;
 struct event {
     std::uint64_t t_us;
     int line; /* of the file */
-    std::variant<command, change_gains, fault, clear_faults, copter, remove_copter, set_state> what;
+    std::variant<command, change_gains, change_params, fault, clear_faults, copter, remove_copter,
+                 set_state>
+        what;
 };
 
 struct scenario {

@@ -42,8 +42,8 @@ story::story(csim *sim, const csim_scenario::scenario &s, csim_scenario::player 
              std::int32_t run)
     : sim_(sim), scenario_(s), player_(player), run_(run), line_places_(line_places(s)) {
     player.on_event = [this](const csim_scenario::event &e) { on_event(e); };
-    player.on_armed = [this](const csim_scenario::fault &f, fc_fault_id id) { on_armed(f, id); };
-    player.on_end = [this](fc_fault_id) { keep_hits(); };
+    player.on_armed = [this](const csim_scenario::event &e, const csim_scenario::fault &f,
+                             fc_fault_id id) { on_armed(e, f, id); };
 }
 
 std::int64_t story::now() const {
@@ -77,15 +77,15 @@ void story::on_event(const csim_scenario::event &e) {
     }
 }
 
-void story::on_armed(const csim_scenario::fault &f, fc_fault_id id) {
+void story::on_armed(const csim_scenario::event &e, const csim_scenario::fault &f, fc_fault_id id) {
     told_fault told{id, {}};
     told.message.object = copter_of(f.id);
     told.message.probe = f.id;
     told.message.type = f.model;
     told.message.params = parameters_of(f);
-    told.message.from_us = now();
-    bool ends = f.duration_us && *f.duration_us <= static_cast<std::uint64_t>(INT64_MAX - now());
-    told.message.to_us = ends ? now() + static_cast<std::int64_t>(*f.duration_us) : no_end;
+    csim_scenario::window w = csim_scenario::window_of(f, e.t_us, csim_time(sim_));
+    told.message.from_us = static_cast<std::int64_t>(w.from_us);
+    told.message.to_us = w.to_us ? static_cast<std::int64_t>(*w.to_us) : no_end;
     told.message.hits = 0;
     tell("fault", now(), f.id + ": " + f.model + " " + told.message.params, told.message.object);
     faults_.push_back(std::move(told));

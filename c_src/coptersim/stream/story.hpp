@@ -57,7 +57,7 @@ class story {
     };
 
     void on_event(const csim_scenario::event &e);
-    void on_armed(const csim_scenario::fault &f, fc_fault_id id);
+    void on_armed(const csim_scenario::event &e, const csim_scenario::fault &f, fc_fault_id id);
     void clear(const csim_scenario::clear_faults &c);
     void tell(const char *kind, std::int64_t t_us, std::string text, std::int32_t a = -1,
               std::int32_t b = -1, double x = 0, double y = 0);

@@ -59,6 +59,14 @@ words of(const csim_scenario::change_gains &c) {
     return {"gains", list({who, map_of(csim_scenario::gain_names, c.gains.values)})};
 }
 
+words of(const csim_scenario::change_params &c) {
+    std::string text;
+    for (const csim_scenario::setting &p : c.settings) {
+        text += (text.empty() ? "" : ", ") + p.name + " => " + number_text(p.value);
+    }
+    return {"params", "#{" + text + "}"};
+}
+
 words of(const csim_scenario::fault &f) {
     std::string lasts = f.duration_us ? std::to_string(*f.duration_us) : "forever";
     return {f.of_channel ? "packet_fault" : "fault",
@@ -103,11 +111,23 @@ std::string parameters_of(const csim_scenario::fault &f) {
     for (const csim_scenario::fault_argument &a : f.arguments) {
         parameters[a.name] = a.text ? json(*a.text) : number(a.number);
     }
+    if (f.probability && parameters.contains("probability")) {
+        parameters = json{{"params", parameters}};
+    }
     if (f.probability) {
         parameters["probability"] = number(*f.probability);
     }
     if (f.seed) {
         parameters["seed"] = *f.seed;
+    }
+    if (f.delay_us > 0) {
+        parameters["delay_us"] = f.delay_us;
+    }
+    if (f.from_calls) {
+        parameters["from_calls"] = *f.from_calls;
+    }
+    if (f.for_calls) {
+        parameters["for_calls"] = *f.for_calls;
     }
     return dump(parameters);
 }

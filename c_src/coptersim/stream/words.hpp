@@ -19,7 +19,7 @@ struct words {
 };
 words words_of(const csim_scenario::event &e);
 
-/* A JSON object: the parameters by name, as in the scenario. */
+/* A JSON object: the parameters by name, and when it acts, as in the scenario. */
 std::string parameters_of(const csim_scenario::fault &f);
 
 /* The shortest decimals that are the same number; whole numbers without a point. */

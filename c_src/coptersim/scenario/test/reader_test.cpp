@@ -115,6 +115,74 @@ void faults_by_name() {
     CHECK_INT(s.events.size(), 8);
 }
 
+/* As flights by hand are kept. */
+void faults_with_windows() {
+    scenario s = accept(with(
+        "\"events\":[\n"
+        "{\"t_us\":0,\"type\":\"fault\",\"probe\":\"RollId0\",\"model\":\"dropout\",\n"
+        "\"params\":{\"probability\":0.5,\"mode\":\"zero\",\"x_why\":[]},\"delay_us\":200000,\n"
+        "\"duration_us\":500000},\n"
+        "{\"t_us\":0,\"type\":\"fault\",\"probe\":\"RangeId0Anch1\",\"model\":\"random_offset\",\n"
+        "\"low\":0,\"params\":{\"high\":1},\"from_calls\":18446744073709551615,\n"
+        "\"for_calls\":0,\"probability\":0.25,\"seed\":3},\n"
+        "{\"t_us\":0,\"type\":\"packet_fault\",\"channel\":\"ITS_DATA0\",\"model\":\"field\",\n"
+        "\"params\":{\"type\":\"f32\",\"apply\":\"spike\",\"probability\":0.5,\n"
+        "\"height\":\"-inf\"},\"probability\":0.125},\n"
+        "{\"t_us\":0,\"type\":\"packet_fault\",\"channel\":\"ITS_DATA0\",\"model\":\"repeat\",\n"
+        "\"count\":10000,\"delay_us\":7},\n"
+        "{\"t_us\":0,\"type\":\"packet_fault\",\"channel\":\"ITS_DATA0\",\"model\":\"extend\",\n"
+        "\"params\":{\"n\":65536}}]"));
+    CHECK_INT(s.events.size(), 5);
+    if (s.events.size() != 5) {
+        return;
+    }
+    auto fault_of = [&s](std::size_t i) {
+        return std::get<csim_scenario::fault>(s.events[i].what);
+    };
+    csim_scenario::fault dropout = fault_of(0), scattered = fault_of(1), field = fault_of(2);
+    CHECK(dropout.arguments.size() == 2 && dropout.arguments[0].number == 0.5);
+    CHECK(dropout.delay_us == 200000 && *dropout.duration_us == 500000 && !dropout.probability);
+    CHECK(!dropout.from_calls && !dropout.for_calls && !dropout.seed);
+    CHECK(scattered.arguments.size() == 2 && *scattered.probability == 0.25);
+    CHECK(*scattered.from_calls == UINT64_MAX && *scattered.for_calls == 0);
+    CHECK(*scattered.seed == 3 && scattered.delay_us == 0 && !scattered.duration_us);
+    CHECK(field.arguments.size() == 4 && *field.probability == 0.125);
+    CHECK(fault_of(3).delay_us == 7 && !fault_of(3).duration_us);
+}
+
+/* Times count from that of the event, also when it is between two steps. */
+void when_a_fault_acts() {
+    csim_scenario::fault f{};
+    csim_scenario::window w = csim_scenario::window_of(f, 12000, 15000);
+    CHECK(w.from_us == 15000 && !w.to_us);
+    f.duration_us = 10000;
+    w = csim_scenario::window_of(f, 12000, 15000);
+    CHECK(w.from_us == 15000 && *w.to_us == 22000);
+    f.delay_us = 5000;
+    w = csim_scenario::window_of(f, 12000, 15000);
+    CHECK(w.from_us == 17000 && *w.to_us == 27000);
+    f.delay_us = 0;
+    f.duration_us = 1000;
+    w = csim_scenario::window_of(f, 12000, 15000);
+    CHECK(w.from_us == 15000 && *w.to_us == 15000);
+}
+
+void parameters_change_on_the_way() {
+    scenario s = accept(with("\"events\":[{\"t_us\":5,\"type\":\"params\",\"gate\":\"median\",\n"
+                             "\"comfort_radius\":0.5,\"halt_on_collision\":false,\"x_why\":1}]"));
+    const auto &change = std::get<csim_scenario::change_params>(s.events.at(0).what);
+    CHECK_INT(change.settings.size(), 3);
+    CHECK(change.settings[1].name == "comfort_radius" && change.settings[1].value == 0.5);
+    CHECK(change.settings[2].value == 0);
+    /* in place of what the scenario says */
+    std::string error;
+    CHECK(csim_scenario::override_setting(s, "comfort_radius=1", error));
+    CHECK_INT(change.settings.size(), 2);
+    CHECK(csim_scenario::override_setting(s, "configuration=hardened", error));
+    CHECK(change.settings.size() == 1 && change.settings[0].name == "halt_on_collision");
+    CHECK(s.settings.empty());
+}
+
 void not_json() {
     refuse("", 1, "not JSON");
     refuse("not json", 1, "not JSON");
@@ -201,6 +269,56 @@ void wrong_events() {
            "not a name");
 }
 
+void wrong_windows() {
+    std::string fault = "\"type\":\"fault\",\"model\":\"offset\",\"probe\":\"PxId0\",";
+    for (const char *name : {"delay_us", "duration_us", "from_calls", "for_calls"}) {
+        std::string member = "\"value\":1,\n\"" + std::string(name) + "\":";
+        std::string expected = "events[0]." + std::string(name) + ": a whole number";
+        for (const char *bad : {"-1", "0.5", "1e300", "\"1\"", "\"nan\"", "null", "[]", "true"}) {
+            refuse(with_event(fault + member + bad), 6, expected);
+        }
+        refuse(with_event(fault + member + "NaN"), 6, "not JSON");
+    }
+    refuse(with_event(fault + "\"value\":1,\"for_calls\":9223372036854775808"), 5, "for_calls");
+    refuse(with_event(fault + "\"value\":1,\"delay_us\":9007199254740993"), 5, "delay_us");
+    for (const char *both :
+         {"\"delay_us\":0,\"from_calls\":0", "\"delay_us\":1,\"for_calls\":1",
+          "\"duration_us\":1,\"from_calls\":1", "\"duration_us\":1,\"for_calls\":1"}) {
+        refuse(with_event(fault + "\"value\":1," + both), 5,
+               "events[0]: either delay_us and duration_us, or from_calls and for_calls");
+    }
+    refuse(with_event(fault + "\"params\":[1]"), 5, "events[0].params: an object expected");
+    refuse(with_event(fault + "\"params\":{}"), 5, "model offset needs value");
+    refuse(with_event(fault + "\"params\":{\n\"value\":[]}"), 6, "events[0].params.value");
+    refuse(with_event(fault + "\"params\":{\"value\":1,\"size\":2}"), 5, "\"size\"");
+    refuse(with_event(fault + "\"value\":1,\"params\":{\"value\":1}"), 5, "value is given twice");
+    refuse(with_event(fault + "\"value\":1,\"for_cals\":2"), 5, "\"for_cals\"");
+}
+
+/* What would stop the simulated clock. */
+void too_many_packets() {
+    std::string fault = "\"type\":\"packet_fault\",\"channel\":\"ITS_DATA0\",\"model\":";
+    refuse(with_event(fault + "\"repeat\",\n\"count\":10001"), 6,
+           "events[0].count: 10000 are the most");
+    refuse(with_event(fault + "\"repeat\",\"params\":{\n\"n\":9007199254740992}"), 6,
+           "events[0].params.n: 10000 are the most");
+    refuse(with_event(fault + "\"extend\",\n\"count\":65537"), 6,
+           "events[0].count: 65536 are the most");
+    refuse(with_event(fault + "\"extend\",\n\"count\":\"inf\""), 6,
+           "events[0].count: 65536 are the most");
+}
+
+void wrong_parameters() {
+    std::string event = "\"type\":\"params\",\n";
+    refuse(with_event(event + "\"comfort\":1"), 6, "events[0].comfort: unknown parameter");
+    refuse(with_event(event + "\"pos_p\":1"), 6,
+           "events[0].pos_p: belongs into an event of type gains");
+    refuse(with_event(event + "\"comfort_radius\":-1"), 6, "comfort_radius: a number from 0 to");
+    refuse(with_event(event + "\"comfort_radius\":\"nan\""), 6, "a number expected");
+    refuse(with_event(event + "\"gate\":\"none\""), 6, "median");
+    refuse(with_event(event + "\"configuration\":\"default\""), 6, "unknown parameter");
+}
+
 void too_many() {
     std::string text = head + "\"copters\":[";
     for (int i = 0; i <= 100000; i++) {
@@ -237,10 +355,16 @@ int main() {
     comments_are_left_alone();
     everything_that_can_be_said();
     faults_by_name();
+    faults_with_windows();
+    when_a_fault_acts();
+    parameters_change_on_the_way();
     not_json();
     wrong_shape();
     wrong_values();
     wrong_events();
+    wrong_windows();
+    too_many_packets();
+    wrong_parameters();
     too_many();
     overrides();
     return CHECK_RESULT();

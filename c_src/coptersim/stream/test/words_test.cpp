@@ -41,6 +41,19 @@ void every_type_has_words() {
                    "probability": 0.5, "seed": 7, "duration_us": 20000})",
                "fault(\"PxId0\", \"offset\", "
                "\"{\\\"value\\\":\\\"inf\\\",\\\"probability\\\":0.5,\\\"seed\\\":7}\", 20000)");
+    check_text(R"({"t_us": 0, "type": "params", "comfort_radius": 0.5, "altitude": 2})",
+               "params(#{comfort_radius => 0.5, altitude => 2})");
+    check_text(R"({"t_us": 0, "type": "fault", "probe": "PxId0", "model": "offset", "value": 1,
+                   "from_calls": 3, "for_calls": 2})",
+               "fault(\"PxId0\", \"offset\", "
+               "\"{\\\"value\\\":1,\\\"from_calls\\\":3,\\\"for_calls\\\":2}\", forever)");
+    check_text(R"({"t_us": 0, "type": "packet_fault", "channel": "ITS_DATA0", "model": "field",
+                   "probability": 0.5, "delay_us": 7,
+                   "params": {"apply": "spike", "height": 1, "probability": 1}})",
+               "packet_fault(\"ITS_DATA0\", \"field\", "
+               "\"{\\\"params\\\":{\\\"apply\\\":\\\"spike\\\",\\\"height\\\":1,"
+               "\\\"probability\\\":1},\\\"probability\\\":0.5,\\\"delay_us\\\":7}\", "
+               "forever)");
     check_text(R"({"t_us": 0, "type": "packet_fault", "channel": "ITS_DATA0", "model": "drop"})",
                "packet_fault(\"ITS_DATA0\", \"drop\", \"{}\", forever)");
     check_text(R"({"t_us": 0, "type": "clear_faults"})", "clear_faults(all)");
