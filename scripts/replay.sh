@@ -3,7 +3,8 @@
 #
 # A case with a flight of quadcopters (scenario.json) is also flown, in real time unless SPEED says otherwise
 # (0: without waiting). SET="name=value ..." flies it with other gains or parameters, BISECT=name=low:high looks for the
-# smallest value with which it does not collide; then only the flight is run.
+# smallest value with which it does not collide; then only the flight is run. A flight that was kept without a case
+# (it has no case.json) is only flown.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 case=${1:-}
@@ -32,7 +33,7 @@ if [ -n "${BISECT:-}" ]; then
   exit
 fi
 status=0
-if [ -z "${SET:-}" ]; then
+if [ -z "${SET:-}" ] && { [ -e "$case/case.json" ] || [ ! -f "$flight" ]; }; then
   rebar3 compile >/dev/null
   bin/faultcheck replay "$case" || status=$?
 fi

@@ -117,6 +117,29 @@ a_scenario_flies_as_its_sequence_test() ->
     ?assertEqual(T, copter_view:now(Ended)),
     ?assert(Bits =:= [copter_sut:bits(V) || V <- [true, perceived]]).
 
+%% Times of a fault count from that of its event, also when that is between two steps.
+windows_of_scenarios_test() ->
+    File = filename:join(folder(), "s.json"),
+    Trigger = fun(T, Members) ->
+        ok = file:write_file(File, faultcheck_json:encode({object, [
+            {format, <<"coptersim-scenario/1">>}, {dt_us, 5000}, {duration_us, 5000},
+            {copters, []},
+            {events, [{object, [{t_us, T}, {type, fault}, {probe, <<"PxId0">>}, {model, offset},
+                                {value, 1}, {x_why, <<"a comment">>} | Members]}]}
+        ]})),
+        {ok, #{plan := #{planned := [{15000, 0, Call}]}}} = copter_plan:read_scenario(File),
+        {fly_inject, [{probe, <<"PxId0">>}, <<"offset">>, [{<<"value">>, 1}], When, none]} = Call,
+        When
+    end,
+    ?assertEqual([], Trigger(15000, [{delay_us, 0}])),
+    ?assertEqual([{time, 2000000, forever}], Trigger(15000, [{delay_us, 2000}])),
+    ?assertEqual([{time, 2000000, 7000000}],
+                 Trigger(12000, [{delay_us, 5000}, {duration_us, 7000}])),
+    ?assertEqual([{time, 0, 7000000}], Trigger(12000, [{duration_us, 10000}])),
+    ?assertEqual([{time, 0, 0}], Trigger(12000, [{duration_us, 1000}])),
+    ?assertEqual([{from, 2}, {for, 3}], Trigger(12000, [{for_calls, 3}, {from_calls, 2}])),
+    ok = file:del_dir_r(filename:dirname(File)).
+
 what_is_no_scenario_is_said_in_one_line_test() ->
     Dir = folder(),
     File = filename:join(Dir, "s.json"),
@@ -132,4 +155,19 @@ what_is_no_scenario_is_said_in_one_line_test() ->
     ?assertMatch({match, _}, re:run(Refused(Head ++ "}"), "duration_us is missing")),
     Events = ",\"duration_us\":1,\"events\":[{\"t_us\":0,\"type\":\"dance\"}]}",
     ?assertMatch({match, _}, re:run(Refused(Head ++ Events), "events of type dance")),
+    Fault = fun(Model, Members) ->
+        Refused(Head ++ ",\"duration_us\":1,\"events\":[{\"t_us\":0,\"type\":\"packet_fault\","
+                "\"channel\":\"ITS_DATA0\",\"model\":\"" ++ Model ++ "\"," ++ Members ++ "}]}")
+    end,
+    Lines = [
+        {"lose", "\"delay_us\":-1,\"duration_us\":9",
+         "delay_us: a whole number from 0 up expected"},
+        {"lose", "\"for_calls\":0.5", "for_calls: a whole number from 0 up expected"},
+        {"lose", "\"delay_us\":0,\"for_calls\":1",
+         "either delay_us and duration_us, or from_calls and for_calls"},
+        {"repeat", "\"count\":10001", "ITS_DATA0: count: 10000 are the most"},
+        {"extend", "\"params\":{\"count\":65537}", "ITS_DATA0: count: 65536 are the most"},
+        {"drop", "\"params\":{\"count\":[]}", "ITS_DATA0: count must be a number or a text"}
+    ],
+    [?assertEqual(File ++ ": " ++ Why, Fault(Model, Members)) || {Model, Members, Why} <- Lines],
     ok = file:del_dir_r(Dir).

@@ -110,6 +110,12 @@ refused_text '2: copters\[1\]\.id: ' "$head\"copters\":[{\"id\":0,\"pos\":[0,0]}
 refused_text '1: copters: the id 0 is there twice' \
   "$head\"copters\":[{\"id\":0,\"pos\":[0,0]},{\"id\":0,\"pos\":[9,0]}]}"
 refused_text '1: .*unknown; known here' "$head\"copters\":[],\"colour\":1}"
+fault='"type":"packet_fault","channel":"ITS_DATA0","model":'
+refused_text '2: events\[0\]: either delay_us and duration_us, or from_calls and for_calls' \
+  "$head\"copters\":[],\"events\":[
+{\"t_us\":0,$fault\"lose\",\"delay_us\":5000,\"for_calls\":1}]}"
+refused_text '2: events\[0\]\.params\.count: 10000 are the most' "$head\"copters\":[],\"events\":[
+{\"t_us\":0,$fault\"repeat\",\"params\":{\"count\":10001}}]}"
 head -c 4000 "$run" >"$work/binary"
 refused 'binary:1: not JSON' "$run" "$work/binary"
 truncate -s 300M "$work/huge.json"
