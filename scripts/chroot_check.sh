@@ -53,6 +53,7 @@ mount -t proc proc "$top/proc"
 mount --rbind /dev "$top/dev"
 mount --bind "$packages" "$top/var/cache/apt/archives"
 cp /etc/resolv.conf "$top/etc/resolv.conf"
+[ -e "$top/etc/hosts" ] || echo '127.0.0.1 localhost' >"$top/etc/hosts" # as every installed Debian has
 # Behind a proxy with a certificate of its own npm has to know it.
 certificates=
 if [ -n "${NODE_EXTRA_CA_CERTS:-}" ]; then
