@@ -29,9 +29,10 @@ compile: native  ## build everything: native, then the Erlang applications
 	@scripts/setup.sh --quiet demo
 	@rebar3 compile
 
+# Also SEED=N: other tests
 demo:  ## find, shrink, store and explain the airbag's unintended explosion
 	@scripts/setup.sh --quiet demo
-	@scripts/demo.sh
+	@SEED="$(SEED)" scripts/demo.sh
 
 # Of a case with a flight also: SPEED=1 (0: without waiting), SET="pos_p=1.0 gate=median", BISECT=base_radius=1:3
 replay:  ## run a stored case again: make replay CASE=cases/<id>
