@@ -24,7 +24,13 @@ async function scene(theme: Theme): Promise<Opened> {
   for (let i = 0; i < 4; i += 1) await opened.page.keyboard.press('ArrowRight');
   for (const key of ['8', '9', 'c', '=', '=', '=']) await opened.page.keyboard.press(key);
   await opened.until((s) => s.tUs === 2_400_000 && s.frame?.tUs === 2_400_000 && s.followed);
+  await panelsDrawn(opened); // so that what a test changes is not mixed with what they still had to show
   return opened;
+}
+
+// No panel waits for longer than these frames, half a second.
+async function panelsDrawn({ page }: Opened): Promise<void> {
+  for (let i = 0; i < 15; i += 1) await drawn(page); // two frames each
 }
 
 async function photo({ page }: Opened): Promise<Picture> {
@@ -36,7 +42,7 @@ async function photo({ page }: Opened): Promise<Picture> {
 async function settled(opened: Opened): Promise<Picture> {
   let before = await photo(opened);
   for (;;) {
-    await opened.page.evaluate('new Promise((done) => setTimeout(done, 500))'); // longer than any panel waits
+    await panelsDrawn(opened);
     const now = await photo(opened);
     if (Buffer.compare(now.bytes, before.bytes) === 0) return now;
     before = now;
